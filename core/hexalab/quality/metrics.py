@@ -1,0 +1,160 @@
+"""The table of metrics as data: ranges, ideal value, normalisation, source, and where Verdict's answer surprises."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import inf, sqrt
+from typing import Literal
+
+import numpy as np
+
+from ..mesh import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE, Array, Floats
+from .normalisation import (
+    BETWEEN_EXTREMES,
+    DOWN_TO_ONE,
+    DOWN_TO_ZERO,
+    IDENTITY,
+    SHARE_OF_HIGHEST,
+    Normalisation,
+    is_empty,
+)
+
+Range = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Metric:
+    """One quality metric: a row of `METRICS`.
+
+    Parameters
+    ----------
+    id, name, symbol : str
+        Snake-case id, name on the screen, the paper's short id (SJ, DIA, ...).
+    full_range : (low, high)
+        Values that a hexahedron can take.
+    acceptable_range : (low, high) or None
+        The paper's table (after Verdict's manual); None where neither gives one.
+    unit_cube : float or None
+        Value for the unit cube; None where it depends on the rest of the mesh.
+    direction : "high" or "low"
+        Which end is best.
+    normalisation : Normalisation
+        The paper's phi and its inverse.
+    unit : int
+        Power of a length that values carry: 3 for a volume, 1 for a length, 0 for none.
+    kinds : tuple of int
+        Cell kinds (see `hexalab.mesh.KINDS`) that have the metric in Verdict under this name.
+    formula : str
+        For a hexahedron with corner edges u, v, w (right-handed) and principal axes X, Y, Z, the sums of the four
+        edges of each direction.
+    remark : str
+        Where Verdict returns its sentinel 1e30, or a value that surprises.
+    """
+
+    id: str
+    name: str
+    symbol: str
+    full_range: Range
+    acceptable_range: Range | None
+    unit_cube: float | None
+    direction: Literal["high", "low"]
+    normalisation: Normalisation
+    unit: int
+    kinds: tuple[int, ...]
+    formula: str
+    remark: str = ""
+
+    def normalise(self, values: Array, low: float, high: float) -> Floats:
+        """Map native values to [0, 1], 1 best (the paper's phi).
+
+        Parameters
+        ----------
+        values : (n,) float64
+            Native values.
+        low, high : float
+            Smallest and largest finite value over the mesh.
+
+        Returns
+        -------
+        (n,) float64
+            NaN where the value is not finite; 1 everywhere if the range is empty.
+        """
+        values = np.asarray(values, dtype=np.float64)
+        finite = np.isfinite(values)
+        if is_empty(self.normalisation, low, high, self.unit > 0):
+            return np.where(finite, 1.0, np.nan)
+        with np.errstate(invalid="ignore"):
+            normal = np.clip(self.normalisation.forward(values, low, high), 0.0, 1.0)
+        return np.where(finite, normal, np.nan)
+
+    def denormalise(self, normal: Array, low: float, high: float) -> Floats:
+        """Map [0, 1] back to native values: the inverse of `normalise`, where that has one.
+
+        What was clamped (a Scaled Jacobian below 0) is not recovered; of an empty range comes its one value.
+        """
+        normal = np.asarray(normal, dtype=np.float64)
+        if is_empty(self.normalisation, low, high, self.unit > 0):
+            return np.full(normal.shape, low)
+        return np.asarray(self.normalisation.inverse(normal, low, high), dtype=np.float64)
+
+    @property
+    def worst(self) -> float:
+        """The infinity at the worst end: what stands for Verdict's sentinel."""
+        return -inf if self.direction == "high" else inf
+
+
+ALL = (HEXAHEDRON, WEDGE, PYRAMID, TETRAHEDRON)
+HEX = (HEXAHEDRON,)
+HEX_TET = (HEXAHEDRON, TETRAHEDRON)
+HEX_WEDGE = (HEXAHEDRON, WEDGE)
+HEX_WEDGE_TET = (HEXAHEDRON, WEDGE, TETRAHEDRON)
+
+_SHORT_EDGE = "Sentinel where an edge is shorter than 1e-15 (Verdict compares squared lengths with 1e-30)."
+
+_ROWS = (
+    Metric("diagonal", "Diagonal", "DIA", (0, 1), (0.65, 1), 1, "high", IDENTITY, 0, HEX,
+        "shortest over longest of the four space diagonals"),
+    Metric("distortion", "Distortion", "DIS", (-inf, inf), (0.5, 1), 1, "high", BETWEEN_EXTREMES, 0, HEX_WEDGE_TET,
+        "8 min |J| / volume"),
+    Metric("edge_ratio", "Edge Ratio", "ER", (1, inf), None, 1, "low", DOWN_TO_ONE, 0, HEX_WEDGE_TET,
+        "longest over shortest edge", _SHORT_EDGE),
+    Metric("jacobian", "Jacobian", "J", (-inf, inf), (0, inf), 1, "high", BETWEEN_EXTREMES, 3, ALL,
+        "min of u.(v x w) at the eight corners and X.(Y x Z) / 64"),
+    Metric("max_edge_ratio", "Maximum Edge Ratio", "MER", (1, inf), (1, 1.3), 1, "low", DOWN_TO_ONE, 0, HEX,
+        "longest over shortest of X, Y, Z"),
+    Metric("max_aspect_frobenius", "Maximum Aspect Frobenius", "MAAF", (1, inf), (1, 3), 1, "low", DOWN_TO_ONE, 0,
+        HEX_WEDGE, "max over corners of |A| |A^-1| / 3, A = (u, v, w)"),
+    Metric("mean_aspect_frobenius", "Mean Aspect Frobenius", "MEAF", (1, inf), (1, 3), 1, "low", DOWN_TO_ONE, 0,
+        HEX_WEDGE, "mean over corners of |A| |A^-1| / 3, A = (u, v, w)"),
+    Metric("oddy", "Oddy", "ODD", (0, inf), (0, 0.5), 0, "low", DOWN_TO_ZERO, 0, HEX,
+        "max over corners and centre of (|A^T A|^2 - |A|^4 / 3) / det(A)^(4/3)"),
+    Metric("relative_size_squared", "Relative Size Squared", "RSS", (0, 1), (0.5, 1), None, "high", IDENTITY, 0,
+        HEX_TET, "min(D, 1/D)^2, D = volume over mean volume of the mesh's cells of the kind"),
+    Metric("scaled_jacobian", "Scaled Jacobian", "SJ", (-1, 1), (0.5, 1), 1, "high", IDENTITY, 0, ALL,
+        "min over corners and centre of u.(v x w) / (|u| |v| |w|)", _SHORT_EDGE),
+    Metric("shape", "Shape", "SHA", (0, 1), (0.3, 1), 1, "high", IDENTITY, 0, ALL,
+        "min over corners and centre of 3 det(A)^(2/3) / |A|^2"),
+    Metric("shape_and_size", "Shape and Size", "SHAS", (0, 1), (0.2, 1), None, "high", IDENTITY, 0, HEX_TET,
+        "shape times relative size squared"),
+    Metric("shear", "Shear", "SHE", (0, 1), (0.3, 1), 1, "high", IDENTITY, 0, HEX,
+        "scaled Jacobian, 0 where not positive"),
+    Metric("shear_and_size", "Shear and Size", "SHES", (0, 1), (0.2, 1), None, "high", IDENTITY, 0, HEX,
+        "shear times relative size squared"),
+    Metric("skew", "Skew", "SKE", (0, inf), (0, 0.5), 0, "low", DOWN_TO_ZERO, 0, HEX,
+        "largest |cosine| between X, Y, Z"),
+    Metric("stretch", "Stretch", "STR", (0, inf), (0.25, 1), 1, "high", SHARE_OF_HIGHEST, 0, HEX,
+        "sqrt(3) shortest edge / longest space diagonal"),
+    Metric("taper", "Taper", "TAP", (0, inf), (0, 0.5), 0, "low", DOWN_TO_ZERO, 0, HEX,
+        "max of |XY| / min(|X|, |Y|) and the same of XZ and YZ, XY the mixed second difference"),
+    Metric("volume", "Volume", "VOL", (-inf, inf), (0, inf), 1, "high", BETWEEN_EXTREMES, 3, ALL,
+        "signed volume of the trilinear cell"),
+    Metric("dimension", "Dimension", "DIM", (0, inf), None, 1 / sqrt(3), "high", SHARE_OF_HIGHEST, 1, HEX,
+        "volume / sqrt(2 sum of squared volume gradients)"),
+    Metric("equiangle_skew", "Equiangle Skew", "EAS", (0, 1), None, 0, "low", DOWN_TO_ZERO, 0, ALL,
+        "max over face angles of (angle - 90) / 90 and (90 - angle) / 90, in degrees"),
+    Metric("nodal_jacobian_ratio", "Nodal Jacobian Ratio", "NJR", (-inf, 1), None, 1, "high", BETWEEN_EXTREMES, 0,
+        HEX, "smallest over largest u.(v x w) of the eight corners"),
+)  # fmt: skip
+
+METRICS: dict[str, Metric] = {metric.id: metric for metric in _ROWS}
+"""All metrics by id: the eighteen of the paper's table, in its order, then Verdict's three others."""
