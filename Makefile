@@ -1,0 +1,59 @@
+# Every target does its own set-up and redoes nothing that is up to date.
+#   make serve [PORT=8000]   build the site and serve it on this machine
+#   make test                everything: core, site, viewer, browser
+#   make lint  make build  make bench
+
+PYTHON ?= python3
+BIN := .venv/bin
+PORT ?= 0
+SITE := build/site
+export OMP_NUM_THREADS ?= 2
+
+.PHONY: serve build test lint bench nightly format clean
+.DELETE_ON_ERROR:
+
+serve: build
+	$(BIN)/hexalab serve --out $(SITE) --port $(PORT)
+
+build: .venv/.ready node_modules/.ready
+	$(BIN)/hexalab build --repository repository --out $(SITE)
+
+test: build/.prepared build
+	node --test $$(find tests/viewer -name "*.test.js")
+	$(BIN)/pytest
+
+nightly: build/.prepared build
+	$(BIN)/pytest -m nightly
+
+lint: .venv/.ready node_modules/.ready
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	node_modules/.bin/prettier --check --log-level warn .
+	node_modules/.bin/tsc --project tsconfig.json
+
+format: .venv/.ready node_modules/.ready
+	$(BIN)/ruff check --fix-only .
+	$(BIN)/ruff format .
+	node_modules/.bin/prettier --write --log-level warn .
+
+bench: build/.prepared build
+	$(BIN)/python -m benchmarks
+
+clean:
+	rm -rf build .venv node_modules
+
+.venv/.ready: requirements.txt pyproject.toml
+	test -x $(BIN)/python || $(PYTHON) -m venv .venv
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements.txt
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
+	touch $@
+
+node_modules/.ready: package.json package-lock.json
+	npm ci --no-audit --no-fund --loglevel=error
+	touch $@
+
+build/.prepared: .venv/.ready tests/prepare site_builder/browser.py
+	mkdir -p build
+	tests/prepare $(BIN)/python
+	touch $@

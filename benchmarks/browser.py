@@ -1,0 +1,83 @@
+"""The program in Chromium: from a file to the picture, and from a slice to the picture."""
+
+from __future__ import annotations
+
+import statistics
+from pathlib import Path
+from typing import Any
+
+from playwright.sync_api import Page
+
+from .clock import table
+from .grids import SIZES, grid_file
+from .page import viewer
+
+ORIGINAL_OPEN = {"25k": 606, "216k": 1696, "1M": 7839}
+"""What the original application takes, from file to picture [ms]: SPEC, section P."""
+
+STEPS = ("read", "topology", "surface", "upload", "firstPicture", "quality")
+
+SLICE = """async (offset) => {
+    const began = performance.now();
+    await window.hexalab.setStatus({
+        filters: { planes: { items: [{ enabled: true, normal: [1, 0, 0], offset }] } },
+    });
+    return [performance.now() - began, window.hexalab.timings().slice];
+}"""
+
+MEMORY = "() => window.hexalab.timings().memory ?? null"
+
+
+def run(folder: Path) -> None:
+    """Print the browser's tables."""
+    for name in SIZES:
+        grid_file(name, ".mesh", folder)
+    _start(folder)
+    rows, slices = [], []
+    for name in SIZES:
+        with viewer(folder) as (page, address, errors):
+            rows.append([name, *_open(page, f"{address}/bench/grid-{name}.mesh"), ORIGINAL_OPEN[name]])
+            slices.append([name, *_slice(page)])
+            if errors:
+                raise RuntimeError(f"the console reported {errors[0]}")
+    table(
+        "browser: open a .mesh, file to picture [ms]", ["mesh", "open", *STEPS, "MB wasm", "original"], rows
+    )
+    table(
+        "browser: 41 slices [ms]", ["mesh", "core, median", "core, worst", "to picture, median", "worst"], slices
+    )
+
+
+def _open(page: Page, address: str) -> list[float | None]:
+    whole: float = page.evaluate(
+        """async (url) => {
+            const bytes = await (await fetch(url)).arrayBuffer();
+            const file = new File([bytes], url.split("/").pop());
+            const began = performance.now();
+            await window.hexalab.open(file);
+            return performance.now() - began;
+        }""",
+        address,
+    )
+    page.evaluate("() => window.hexalab.quality('scaled_jacobian')")
+    timings: dict[str, Any] = page.evaluate("() => window.hexalab.timings()")
+    return [whole, *(timings.get(step) for step in STEPS), timings.get("memory")]
+
+
+def _slice(page: Page) -> list[float]:
+    times = [page.evaluate(SLICE, 0.3 + 0.01 * step) for step in range(41)]
+    picture, core = zip(*times, strict=True)
+    return [statistics.median(core), max(core), statistics.median(picture), max(picture)]
+
+
+def _start(folder: Path) -> None:
+    """Cold and warm start of Python, on a local server."""
+    with viewer(folder) as (page, address, _):
+        cold = page.evaluate("() => window.hexalab.timings().boot")
+        page.goto("about:blank")
+        page.goto(f"{address}/viewer/")
+        page.evaluate("() => window.hexalab.ready")
+        warm = page.evaluate("() => window.hexalab.timings().boot")
+    table("browser: Python ready after [ms]", ["cold", "warm"], [[f"{cold:.0f}", f"{warm:.0f}"]])
+
+

@@ -1,0 +1,90 @@
+"""The core in this Python: reading beside meshio and VTK, topology, quality, surfaces, slices."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import meshio
+import numpy as np
+import vtk
+
+import hexalab
+from hexalab.filters.stack import FilterStack
+from hexalab.quality import METRICS
+from hexalab.quality.validity import certify
+from hexalab.session import Session
+
+from .clock import median_ms, table
+from .grids import SIZES, grid_file
+
+
+def run(folder: Path) -> None:
+    """Print the native tables."""
+    table(
+        "native: read a file [ms]",
+        ["file", "hexalab", "meshio", "VTK"],
+        [_reading(name, suffix, folder) for name in SIZES for suffix in (".mesh", ".vtk")],
+    )
+    table(
+        "native: what opening, measuring and slicing take [ms]",
+        ["mesh", *_steps(hexalab.read(grid_file("25k", ".mesh", folder)))],
+        [[name, *_step_times(name, folder)] for name in SIZES],
+    )
+
+
+def _reading(name: str, suffix: str, folder: Path) -> list[object]:
+    path = grid_file(name, suffix, folder)
+    runs = 1 if name == "1M" else 3
+    peers: list[float | None] = [median_ms(lambda: meshio.read(path), runs), None]
+    if suffix == ".vtk":
+        peers[1] = median_ms(lambda: _read_vtk(path), runs)
+    return [path.name, median_ms(lambda: hexalab.read(path), runs), *peers]
+
+
+def _read_vtk(path: Path) -> None:
+    reader = vtk.vtkUnstructuredGridReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+
+
+def _steps(mesh: hexalab.Mesh) -> dict[str, Callable[[], Any]]:
+    """Name of a step to what does it, each on a mesh that knows nothing yet but what the step before made."""
+
+    def fresh() -> hexalab.Mesh:
+        return hexalab.Mesh(mesh.coordinates, mesh.corners, mesh.kinds)
+
+    stack = FilterStack(mesh)
+    session = Session()
+    session.show(mesh)
+    offsets = iter(np.tile(np.linspace(0.3, 0.7, 41), 50))
+
+    def plane(offset: float) -> dict[str, Any]:
+        return {"filters": {"planes": {"items": [{"enabled": True, "normal": [1, 0, 0], "offset": offset}]}}}
+
+    def separation(mode: str) -> Callable[[], Any]:
+        def change() -> None:
+            session.update({"separation": {"mode": "lines"}} | plane(0.5))
+            session.update({"separation": {"mode": mode}})
+
+        return change
+
+    return {
+        "faces": lambda: fresh().topology.face_cells,
+        "edges": lambda: fresh().topology.edge_cells,
+        "depth": lambda: fresh().topology.depth,
+        "scaled Jacobian": lambda: hexalab.quality(mesh, "scaled_jacobian"),
+        "all metrics": lambda: [hexalab.quality(mesh, metric) for metric in METRICS],
+        "validity": lambda: certify(mesh),
+        "filter": lambda: stack.apply(plane(float(next(offsets)))["filters"]),
+        "slice": lambda: session.update(plane(float(next(offsets)))),
+        "fissure": separation("fissure"),
+        "rounded": separation("rounded"),
+    }
+
+
+def _step_times(name: str, folder: Path) -> list[float]:
+    mesh = hexalab.read(grid_file(name, ".mesh", folder))
+    runs = {"filter": 21, "slice": 21}
+    return [median_ms(step, runs.get(label, 1 if name == "1M" else 3)) for label, step in _steps(mesh).items()]

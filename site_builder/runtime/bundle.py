@@ -1,0 +1,45 @@
+"""The viewer's JavaScript, bundled by esbuild under names that carry their content's hash."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from pathlib import Path
+
+ENTRIES = {"main": "static/viewer/main.js", "worker": "static/viewer/core/worker.js"}
+
+
+def bundle(root: Path, out: Path) -> dict[str, str]:
+    """Bundle the viewer into `out`.
+
+    Parameters
+    ----------
+    root : Path
+        The checkout, with node_modules.
+    out : Path
+        Folder for the bundles.
+
+    Returns
+    -------
+    dict of str to str
+        Name of the entry to name of its file in `out`.
+    """
+    meta = out / "meta.json"
+    command = [
+        str(root / "node_modules" / ".bin" / "esbuild"),
+        *(f"{name}={root / path}" for name, path in ENTRIES.items()),
+        "--bundle", "--format=esm", "--target=es2022", "--minify", "--sourcemap=linked", "--legal-comments=eof",
+        "--loader:.glsl=text", "--loader:.svg=text", f"--outdir={out}", "--entry-names=[name]-[hash]",
+        f"--metafile={meta}", "--log-level=warning",
+    ]  # fmt: skip
+    done = subprocess.run(command, capture_output=True, text=True, cwd=root)
+    if done.returncode:
+        raise RuntimeError(f"bundling the viewer failed:\n{done.stderr.strip()}")
+    outputs = json.loads(meta.read_text())["outputs"]
+    meta.unlink()
+    names = {path: name for name, path in ENTRIES.items()}
+    return {
+        names[entry["entryPoint"]]: Path(path).name
+        for path, entry in outputs.items()
+        if entry.get("entryPoint") in names
+    }

@@ -1,0 +1,119 @@
+/**
+ * The core's worker: boots Pyodide once, then answers `{id, method, args}` by calling that method of `Session`.
+ *
+ * Arrays in a result leave as typed arrays on the transfer list, after the one copy that WebAssembly memory needs.
+ * File bytes come in as an ArrayBuffer and are copied once into Python.
+ */
+
+/** @typedef {{id: number, method: string, args: unknown[]}} Request */
+
+/** @type {any} */
+let pyodide;
+/** @type {any} */
+let session;
+
+/**
+ * @param {string} runtime address of the folder with the interpreter, ending in a slash
+ */
+async function boot(runtime) {
+  const began = performance.now();
+  const { loadPyodide } = await import(/* @vite-ignore */ `${runtime}pyodide.mjs`);
+  pyodide = await loadPyodide({
+    indexURL: runtime,
+    lockFileURL: `${runtime}pyodide-lock.json`,
+    stdLibURL: `${runtime}python_stdlib.zip`,
+    packages: ["hexalab"],
+    checkIntegrity: true,
+  });
+  const interpreter = performance.now();
+  const { Session } = pyodide.pyimport("hexalab.session");
+  session = Session();
+  return { interpreter: interpreter - began, core: performance.now() - interpreter };
+}
+
+/**
+ * A Python value as JavaScript; numpy arrays become typed arrays of their own memory, noted in `transfer`.
+ * @param {any} value
+ * @param {Transferable[]} transfer
+ */
+function toJavaScript(value, transfer) {
+  if (!(value instanceof pyodide.ffi.PyProxy)) return value;
+  const converted = value.toJs({
+    create_pyproxies: false,
+    dict_converter: Object.fromEntries,
+    default_converter: (/** @type {any} */ proxy) => leaf(proxy, transfer),
+  });
+  value.destroy();
+  return converted;
+}
+
+/**
+ * @param {any} proxy
+ * @param {Transferable[]} transfer
+ */
+function leaf(proxy, transfer) {
+  if (!(proxy instanceof pyodide.ffi.PyBuffer)) return proxy.item();
+  const buffer = proxy.getBuffer();
+  try {
+    const copy = buffer.data.slice();
+    transfer.push(copy.buffer);
+    return copy;
+  } finally {
+    buffer.release();
+  }
+}
+
+/** @param {unknown} argument */
+function toPython(argument) {
+  if (argument instanceof ArrayBuffer) return pyodide.toPy(new Uint8Array(argument));
+  return pyodide.toPy(argument, { depth: -1 });
+}
+
+/** @param {any} error @returns {{kind: string, message: string, fatal: boolean}} */
+function describeError(error) {
+  if (pyodide && error instanceof pyodide.ffi.PythonError) {
+    const lines = error.message.trimEnd().split("\n");
+    const last = lines.findLastIndex((/** @type {string} */ line) => /^[\w.]+(:|$)/.test(line));
+    const [, path, message] = /^([\w.]+):?\s*([\s\S]*)$/.exec(lines.slice(last).join("\n")) ?? [];
+    return { kind: (path ?? error.type).split(".").pop() ?? error.type, message: message ?? "", fatal: false };
+  }
+  return { kind: error?.name ?? "Error", message: String(error?.message ?? error), fatal: true };
+}
+
+/** @param {Request} request */
+function answer({ id, method, args }) {
+  const began = performance.now();
+  /** @type {any[]} */
+  let given = [];
+  try {
+    given = args.map(toPython);
+    /** @type {Transferable[]} */
+    const transfer = [];
+    const result = toJavaScript(session[method](...given), transfer);
+    postMessage({ id, result, milliseconds: performance.now() - began }, transfer);
+  } catch (error) {
+    postMessage({ id, error: describeError(error) });
+  } finally {
+    for (const argument of given) argument?.destroy?.();
+  }
+}
+
+/** @param {ArrayBuffer} bytes */
+async function identify(bytes) {
+  const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
+  return Array.from(digest, (byte) => byte.toString(16).padStart(2, "0")).join("");
+}
+
+self.onmessage = async ({ data }) => {
+  if (data.boot) {
+    try {
+      postMessage({ ready: await boot(data.boot) });
+    } catch (error) {
+      postMessage({ failed: describeError(error) });
+    }
+    return;
+  }
+  answer(data);
+  const bytes = data.method === "open" && data.args[1];
+  if (bytes instanceof ArrayBuffer) postMessage({ opened: data.id, sha256: await identify(bytes) });
+};
