@@ -1,0 +1,194 @@
+"""The settings document's JSON Schema (draft 2020-12): the only place of its names, limits and defaults.
+
+Every property is optional, so that a part of a document is valid too. Lengths of the camera are in diagonals
+of the mesh's extent and its target is relative to the extent's centre: a status moves between meshes.
+"""
+
+from __future__ import annotations
+
+from copy import deepcopy
+from typing import Any
+
+Schema = dict[str, Any]
+
+VERSION = 1
+
+UNIT = {"type": "number", "minimum": 0, "maximum": 1}
+COLOUR = {"type": "string", "pattern": "^#[0-9a-fA-F]{6}$", "maxLength": 7}
+VECTOR = {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3}
+DIRECTION = {**VECTOR, "contains": {"not": {"const": 0}}}
+OPEN_END = {"type": ["number", "null"], "default": None}
+CELL_IDS = {"type": "array", "items": {"type": "integer", "minimum": 0}, "default": []}
+ON = {"type": "boolean", "default": True}
+
+
+def section(description: str, /, *required: str, **properties: Schema) -> Schema:
+    """Build the schema of an object whose properties are these and no others."""
+    schema: Schema = {
+        "type": "object",
+        "description": description,
+        "properties": properties,
+        "additionalProperties": False,
+    }
+    return {**schema, "required": list(required)} if required else schema
+
+
+def choice(default: str, *others: str, description: str = "") -> Schema:
+    """Build the schema of one word out of several; the first is the default."""
+    return {"enum": [default, *others], "default": default, "description": description}
+
+
+MESH = section(
+    "The mesh that the view was made of; tells, and is not applied.",
+    name={"type": "string", "default": ""},
+    sha256={"type": "string", "pattern": "^([0-9a-f]{64})?$", "maxLength": 64, "default": ""},
+    cells={"type": "integer", "minimum": 0, "default": 0},
+)
+
+CAMERA = section(
+    "Where the eye is. Lengths in diagonals of the mesh's extent.",
+    target={**VECTOR, "default": [0, 0, 0], "description": "Relative to the extent's centre"},
+    direction={**DIRECTION, "default": [0, 0, -1], "description": "From the eye to the target"},
+    up={**DIRECTION, "default": [0, 1, 0]},
+    distance={"type": "number", "exclusiveMinimum": 0, "maximum": 1_000_000, "default": 1.5},
+    projection=choice("perspective", "orthographic"),
+    field_of_view={
+        "type": "number",
+        "minimum": 1,
+        "maximum": 120,
+        "default": 30,
+        "description": "Vertical, in degrees",
+    },
+)
+
+PLANE = section(
+    "Hides the cells behind it.",
+    "normal",
+    enabled=ON,
+    normal={**DIRECTION, "default": [1, 0, 0]},
+    offset={**UNIT, "default": 0, "description": "0 hides nothing, 1 everything"},
+)
+
+QUALITY_BAND = section(
+    "Hides the cells whose value is not kept. A missing end of the band is open.",
+    "source",
+    source={
+        "type": "string",
+        "minLength": 1,
+        "default": "scaled_jacobian",
+        "description": "A metric's id, cell:NAME or point:NAME",
+    },
+    keep=choice("inside", "outside"),
+    minimum=OPEN_END,
+    maximum=OPEN_END,
+)
+
+FILTERS = section(
+    "Which cells are hidden.",
+    planes=section(
+        "Slices.",
+        enabled=ON,
+        rule=choice("barycentre", "any_corner", description="What of a cell must lie behind the plane"),
+        items={
+            "type": "array",
+            "items": PLANE,
+            "maxItems": 32,
+            "default": [{"enabled": True, "normal": [1, 0, 0], "offset": 0}],
+        },
+    ),
+    peel=section(
+        "Hides cells nearer to the boundary than a number of hops over faces.",
+        enabled=ON,
+        depth={"type": "integer", "minimum": 0, "default": 0},
+    ),
+    regularisation=section(
+        "Smooths the set that plane and peel hide.",
+        enabled=ON,
+        strength={"type": "integer", "minimum": 0, "maximum": 5, "default": 0},
+    ),
+    quality=section(
+        "Hides by value.",
+        enabled=ON,
+        items={"type": "array", "items": QUALITY_BAND, "maxItems": 32, "default": []},
+    ),
+    picking=section(
+        "Cells hidden and shown by hand.",
+        enabled=ON,
+        isolated={"type": "boolean", "default": False, "description": "Hide all but the shown"},
+        hidden={**CELL_IDS, "description": "Cells by number, from 0 in the file's order"},
+        shown=CELL_IDS,
+    ),
+)
+
+SEPARATION = section(
+    "How the cells are told apart.",
+    mode=choice("lines", "darkness_coded_edges", "fissure", "rounded"),
+    line_opacity={**UNIT, "default": 0.35},
+    gap={"type": "number", "minimum": 0.01, "maximum": 0.5, "default": 0.15},
+    radius={"type": "number", "minimum": 0.01, "maximum": 0.5, "default": 0.075},
+    line_width={"type": "number", "minimum": 0.25, "maximum": 8, "default": 1, "description": "In pixels"},
+)
+
+COLOUR_BY = section(
+    "What the faces are coloured by.",
+    by=choice("sides", "quality", "attribute", "kind"),
+    outside={**COLOUR, "default": "#ffffff", "description": "Faces of the boundary"},
+    inside={**COLOUR, "default": "#ffff00", "description": "Faces that filters expose"},
+    metric={"type": "string", "minLength": 1, "default": "scaled_jacobian"},
+    attribute={"type": "string", "default": "", "description": "cell:NAME or point:NAME"},
+    map=choice("parula", "jet", "red_blue", "viridis"),
+    range={
+        "type": ["array", "null"],
+        "items": {"type": "number"},
+        "minItems": 2,
+        "maxItems": 2,
+        "default": None,
+        "description": "Values at the ends of the map; null: the mesh's own",
+    },
+)
+
+SCHEMA: Schema = {
+    "$schema": "https://json-schema.org/draft/2020-12/schema",
+    "title": "HexaLab status",
+    **section(
+        "All settings of a view. A part of a document applies what it holds.",
+        version={"const": VERSION, "default": VERSION},
+        mesh=MESH,
+        camera=CAMERA,
+        filters=FILTERS,
+        separation=SEPARATION,
+        colour=COLOUR_BY,
+        silhouette={**UNIT, "default": 1, "description": "Of what is hidden: 0 none, 0.5 flat, 1 shaded"},
+        irregular=section(
+            "Edges of irregular valence.",
+            mode={
+                "type": "integer",
+                "minimum": 0,
+                "maximum": 6,
+                "default": 1,
+                "description": "0 off, 1 wires, 3 barbed wires, 5 paper; 2, 4, 6 seen through the mesh too",
+            },
+            boundary={"type": "boolean", "default": False, "description": "Edges of the boundary too"},
+        ),
+        lighting=section("Light.", mode=choice("object_space_ao", "screen_space_ao", "direct", "none")),
+        background={**COLOUR, "default": "#ffffff"},
+        histogram=section(
+            "How the histogram is laid out.",
+            orientation=choice("horizontal", "vertical"),
+            scale=choice("linear", "log"),
+            bins={"type": "integer", "minimum": 1, "maximum": 1000, "default": 100},
+        ),
+    ),
+}
+"""JSON Schema of the settings document."""
+
+
+def default_of(schema: Schema) -> Any:
+    """Return the default that a schema names, or for an object the one that its properties name."""
+    if "default" in schema:
+        return deepcopy(schema["default"])
+    return {name: default_of(part) for name, part in schema["properties"].items()}
+
+
+DEFAULTS: dict[str, Any] = default_of(SCHEMA)
+"""The complete document that a fresh viewer starts from."""
