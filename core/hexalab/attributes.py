@@ -1,0 +1,159 @@
+"""The file's own attributes (SPEC R8): which there are, their ranges, and one value per cell of each.
+
+An attribute's id is ``cell:NAME`` or ``point:NAME``; of an array with several components that is the magnitude,
+and ``cell:NAME:0``, ``cell:NAME:1``, ... are the components.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .errors import HexaLabError
+from .mesh import CHUNK, CORNERS_OF_KIND, HEXAHEDRON, Array, Floats, Ids, Mesh
+
+AXES = "xyz"
+MOST_COMPONENTS = 9
+"""Of an array with more components (a tensor has nine) only the magnitude is offered."""
+
+
+@dataclass(frozen=True)
+class Attribute:
+    """One number per cell or per point, out of an array of the file.
+
+    Parameters
+    ----------
+    id : str
+        ``cell:NAME``, ``point:NAME`` or the same with ``:component``.
+    name : str
+        Name of the array, and of the component, for the screen.
+    on : "cell" or "point"
+        What the array belongs to.
+    array : str
+        The array's name in `Mesh.cell_data` or `Mesh.point_data`.
+    component : int or None
+        None for the array itself or its magnitude.
+    """
+
+    id: str
+    name: str
+    on: Literal["cell", "point"]
+    array: str
+    component: int | None = None
+
+
+def attributes(mesh: Mesh) -> dict[str, Attribute]:
+    """List the attributes that can be coloured by, filtered by and plotted, by id."""
+    found = {row.id: row for row in _rows(mesh) if row.component is None}
+    for row in _rows(mesh):
+        found.setdefault(row.id, row)
+    return found
+
+
+def own_values(mesh: Mesh, attribute: Attribute) -> Floats:
+    """Return an attribute's values where the file has them: (C,) or (V,) float64."""
+    data = mesh.cell_data if attribute.on == "cell" else mesh.point_data
+    array = np.asarray(data[attribute.array])
+    if array.ndim == 1:
+        return array.astype(np.float64)
+    if attribute.component is not None or array.shape[1] == 1:
+        return np.asarray(array[:, attribute.component or 0], dtype=np.float64)
+    squares = np.zeros(len(array))
+    for column in array.T:
+        number = column.astype(np.float64)
+        squares += number * number
+    return np.sqrt(squares)
+
+
+def cell_values(mesh: Mesh, attribute: str | Attribute) -> Floats:
+    """Return one value per cell, (C,) float64; a point's attribute is averaged over the cell's own corners.
+
+    Raises
+    ------
+    HexaLabError
+        If the mesh has no attribute of that id.
+    """
+    if isinstance(attribute, str):
+        known = attributes(mesh)
+        if attribute not in known:
+            raise HexaLabError(
+                f"the mesh has no attribute {attribute!r}; it has {', '.join(known) or 'none'}"
+            )
+        attribute = known[attribute]
+    values = own_values(mesh, attribute)
+    return values if attribute.on == "cell" else average_corners(values, mesh.corners, mesh.kinds)
+
+
+def average_corners(values: Floats, corners: Ids, kinds: NDArray[np.uint8]) -> Floats:
+    """Average a number per vertex over each cell's own corners.
+
+    Parameters
+    ----------
+    values : (V,) float64
+    corners : (8, C) int32
+    kinds : (C,) uint8
+
+    Returns
+    -------
+    (C,) float64
+        A hexahedron that repeats a vertex counts it as often as it names it.
+    """
+    out = np.empty(corners.shape[1])
+    for start in range(0, corners.shape[1], CHUNK):
+        part = slice(start, start + CHUNK)
+        total = values[corners[0, part]]
+        for corner in corners[1:]:
+            total += values[corner[part]]
+        out[part] = total / 8
+    for kind in np.unique(kinds):
+        if kind != HEXAHEDRON:
+            which = np.flatnonzero(kinds == kind)
+            own = corners[np.array(CORNERS_OF_KIND[kind])][:, which]
+            out[which] = values[own].mean(axis=0)
+    return out
+
+
+def finite_range(values: Array) -> tuple[float, float] | None:
+    """Return the smallest and the largest finite value, or None if there is none."""
+    if not values.size:
+        return None
+    low, high = float(values.min()), float(values.max())
+    if not (np.isfinite(low) and np.isfinite(high)):
+        finite = values[np.isfinite(values)]
+        if not finite.size:
+            return None
+        low, high = float(finite.min()), float(finite.max())
+    return low, high
+
+
+def described(mesh: Mesh) -> list[dict[str, Any]]:
+    """Return the attributes with the ranges of the file's values, for the page: id, name, on, min, max."""
+    rows = []
+    for row in attributes(mesh).values():
+        low, high = finite_range(own_values(mesh, row)) or (None, None)
+        rows.append({"id": row.id, "name": row.name, "on": row.on, "min": low, "max": high})
+    return rows
+
+
+def _rows(mesh: Mesh) -> Iterator[Attribute]:
+    yield from _rows_of(mesh.cell_data, "cell")
+    yield from _rows_of(mesh.point_data, "point")
+
+
+def _rows_of(data: dict[str, Array], on: Literal["cell", "point"]) -> Iterator[Attribute]:
+    for name, array in data.items():
+        array = np.asarray(array)
+        if array.dtype.kind not in "biuf" or array.ndim > 2:
+            continue
+        count = array.shape[1] if array.ndim == 2 else 1
+        if not count:
+            continue
+        yield Attribute(f"{on}:{name}", f"{name}, magnitude" if count > 1 else name, on, name)
+        if 1 < count <= MOST_COMPONENTS:
+            labels = AXES if count <= len(AXES) else [str(place) for place in range(count)]
+            for place, label in zip(range(count), labels, strict=False):
+                yield Attribute(f"{on}:{name}:{place}", f"{name}, {label}", on, name, place)
