@@ -1,0 +1,73 @@
+/**
+ * Line segments as ribbons of constant width on the screen: at least a pixel, smooth at the rim, pulled towards the eye by
+ * the depth that half their width may cover, so that they do not fight with the surface they lie on.
+ */
+export const LINES_VERTEX = `
+precision highp float;
+precision highp int;
+
+in vec2 corner;
+in vec3 start;
+in vec3 end;
+in uint style;
+
+uniform mat4 modelViewMatrix;
+uniform mat4 projectionMatrix;
+uniform vec2 viewport;
+uniform float width;
+uniform float pull;
+uniform float fade;
+uniform vec4 styles[8];
+
+out float vAcross;
+flat out vec4 vStyle;
+
+vec4 towardsEye(vec3 place) {
+  vec4 view = modelViewMatrix * vec4(place, 1.0);
+  if (projectionMatrix[3][3] == 1.0) view.z += pull;
+  else view.xyz *= 1.0 - pull;
+  return projectionMatrix * view;
+}
+
+void main() {
+  vec4 a = towardsEye(start);
+  vec4 b = towardsEye(end);
+  float da = a.z + a.w;
+  float db = b.z + b.w;
+  if (da < 0.0 && db < 0.0) {
+    gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+    return;
+  }
+  if (da < 0.0) a = mix(a, b, (1e-6 - da) / (db - da));
+  else if (db < 0.0) b = mix(b, a, (1e-6 - db) / (da - db));
+  vec3 pa = a.xyz / a.w;
+  vec3 pb = b.xyz / b.w;
+  vec2 along = (pb.xy - pa.xy) * 0.5 * viewport;
+  float length = length(along);
+  vec2 across = length > 1e-4 ? vec2(-along.y, along.x) / length : vec2(0.0, 1.0);
+  float reach = 0.5 * width + 0.5;
+  vec3 place = corner.x < 0.5 ? pa : pb;
+  place.xy += across * corner.y * reach * 2.0 / viewport;
+  vAcross = corner.y * reach;
+  vStyle = styles[style];
+  // Edges closer than some pixels would blacken a fine mesh: their ink thins out with their length.
+  vStyle.a *= mix(1.0, clamp((length + 1.0) / 7.0, 0.2, 1.0), fade);
+  gl_Position = vec4(place, 1.0);
+}
+`;
+
+export const LINES_FRAGMENT = `
+precision highp float;
+
+in float vAcross;
+flat in vec4 vStyle;
+out vec4 pixel;
+
+uniform float width;
+uniform float opacity;
+
+void main() {
+  float cover = clamp(0.5 * width + 0.5 - abs(vAcross), 0.0, 1.0);
+  pixel = vec4(vStyle.rgb, vStyle.a * opacity * cover);
+}
+`;

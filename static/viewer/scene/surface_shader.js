@@ -1,0 +1,124 @@
+import { CELL_TEXEL, VERTEX_TEXEL } from "./texel.js";
+
+/**
+ * The shown surface. Colour comes from the face's side or, by cell number, from the cell's value and the colour map. Light
+ * multiplies it: nothing else touches a colour, so that a fully lit face has exactly the colour that was chosen.
+ */
+export const SURFACE_VERTEX = `
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+precision highp usampler2D;
+
+in vec3 position;
+in vec4 normal;
+in uint cell;
+in float inside;
+
+uniform mat4 modelViewMatrix;
+uniform mat4 projectionMatrix;
+uniform mat3 normalMatrix;
+uniform bool byCell;
+uniform vec3 outsideColour;
+uniform vec3 insideColour;
+uniform vec3 missingColour;
+uniform sampler2D cellValues;
+uniform sampler2D palette;
+uniform float paletteScale;
+uniform usampler2D occlusion;
+uniform float occlusionShare;
+uniform bool fourByFour;
+
+out vec3 vColour;
+out vec3 vNormal;
+out vec3 vView;
+out vec2 vPlace;
+out float vOpen;
+flat out vec4 vCorners;
+
+${CELL_TEXEL}
+${VERTEX_TEXEL}
+
+float openness(int vertex) {
+  uvec4 sums = texelFetch(occlusion, vertexTexel(vertex), 0);
+  return sums.y == 0u ? 1.0 : float(sums.x) / float(sums.y);
+}
+
+void main() {
+  vec4 view = modelViewMatrix * vec4(position, 1.0);
+  gl_Position = projectionMatrix * view;
+  vView = projectionMatrix[3][3] == 1.0 ? vec3(0.0, 0.0, 1.0) : -view.xyz;
+  vNormal = normalMatrix * normal.xyz;
+  vColour = mix(outsideColour, insideColour, inside);
+  if (byCell) {
+    float value = texelFetch(cellValues, cellTexel(cell), 0).r;
+    int entry = int(clamp(value * paletteScale + 0.5, 0.0, 255.0));
+    vColour = value < 0.0 ? missingColour : texelFetch(palette, ivec2(entry, 0), 0).rgb;
+  }
+  vPlace = vec2(0.0);
+  vCorners = vec4(1.0);
+  vOpen = 1.0;
+  if (occlusionShare > 0.0) {
+    if (fourByFour) {
+      int first = gl_VertexID & ~3;
+      int corner = gl_VertexID & 3;
+      vPlace = vec2(corner == 1 || corner == 2 ? 1.0 : 0.0, corner > 1 ? 1.0 : 0.0);
+      vCorners = vec4(openness(first), openness(first + 1), openness(first + 2), openness(first + 3));
+    } else {
+      vOpen = openness(gl_VertexID);
+    }
+  }
+}
+`;
+
+export const SURFACE_FRAGMENT = `
+precision highp float;
+precision highp sampler2D;
+
+in vec3 vColour;
+in vec3 vNormal;
+in vec3 vView;
+in vec2 vPlace;
+in float vOpen;
+flat in vec4 vCorners;
+out vec4 pixel;
+
+uniform int lighting;
+uniform bool fourByFour;
+uniform float occlusionShare;
+uniform float screenShare;
+uniform sampler2D screenOpenness;
+uniform vec2 screenScale;
+uniform vec2 screenOffset;
+
+// A face's four terms run bilinearly over it, not along the diagonal it happens to be cut at.
+float faceOpenness() {
+  if (!fourByFour) return vOpen;
+  return mix(mix(vCorners.x, vCorners.y, vPlace.x), mix(vCorners.w, vCorners.z, vPlace.x), vPlace.y);
+}
+
+// Light reflected to and fro in a crease brightens pale colours more than deep ones (Jimenez et al. 2016, section 4.1).
+vec3 bounced(float open, vec3 colour) {
+  vec3 a = 2.0404 * colour - 0.3324;
+  vec3 b = -4.7951 * colour + 0.6417;
+  vec3 c = 2.7552 * colour + 0.6903;
+  return max(vec3(open), ((open * a + b) * open + c) * open);
+}
+
+void main() {
+  vec3 light = vec3(1.0);
+  float facing = abs(dot(normalize(vNormal), normalize(vView)));
+  if (lighting == 1) {
+    light = vec3(mix(0.36, 1.0, pow(facing, 0.8)));
+  } else if (lighting >= 2) {
+    float open = 1.0;
+    if (screenShare > 0.0) {
+      float screen = texture(screenOpenness, gl_FragCoord.xy * screenScale + screenOffset).r;
+      open = mix(open, screen, screenShare);
+    }
+    if (occlusionShare > 0.0) open = mix(open, faceOpenness(), occlusionShare);
+    light = vec3(open * mix(0.88, 1.0, facing));
+  }
+  pixel = vec4(vColour * light, 1.0);
+}
+`;

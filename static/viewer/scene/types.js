@@ -1,0 +1,67 @@
+/**
+ * The shapes of what the scene is given. Lengths are in diagonals of the mesh, whose extent's centre is the origin.
+ *
+ * @typedef {object} MeshFrame
+ * @property {number[][]} [extent] two corners in the file's unit
+ * @property {number[]} [centre]
+ * @property {number} [diagonal]
+ * @property {number} cells number of cells of the whole mesh
+ *
+ * @typedef {"lines" | "darkness_coded_edges" | "fissure" | "rounded"} SeparationMode
+ *
+ * @typedef {object} Surface
+ * @property {SeparationMode} mode
+ * @property {Float32Array} positions 3 per vertex
+ * @property {Int16Array} normals 4 per vertex, signed normalised, the fourth 0
+ * @property {Uint32Array} cells 1 per vertex
+ * @property {Uint8Array} inside 1 per vertex, 0 outside, 255 inside
+ * @property {Uint32Array | null} quads 4 per face, or null where vertices stand four by four
+ * @property {Uint32Array} faces 1 per face: cell * 8 + local face
+ * @property {Float32Array} edges 6 per line
+ * @property {Uint8Array} edge_cells 1 per line, or empty
+ *
+ * @typedef {object} Silhouette
+ * @property {Float32Array} positions
+ * @property {Int16Array} normals
+ *
+ * @typedef {object} Irregular
+ * @property {Float32Array} edges
+ * @property {Uint8Array} valence
+ * @property {Uint8Array} boundary
+ * @property {Float32Array} barbs
+ * @property {Uint8Array} barb_valence
+ * @property {Float32Array} paper
+ * @property {Uint8Array} paper_valence
+ *
+ * @typedef {object} CameraStatus
+ * @property {number[]} target
+ * @property {number[]} direction
+ * @property {number[]} up
+ * @property {number} distance
+ * @property {"perspective" | "orthographic"} projection
+ * @property {number} field_of_view degrees, of the height
+ *
+ * @typedef {object} ColourStatus
+ * @property {"sides" | "quality" | "attribute" | "kind"} by
+ * @property {string} outside
+ * @property {string} inside
+ * @property {string} map
+ *
+ * @typedef {object} SceneStatus the part of the status document that the scene draws
+ * @property {CameraStatus} [camera]
+ * @property {{ line_opacity?: number, line_width?: number }} [separation]
+ * @property {Partial<ColourStatus>} [colour]
+ * @property {number} [silhouette]
+ * @property {{ mode?: number, boundary?: boolean }} [irregular]
+ * @property {{ mode?: LightingMode }} [lighting]
+ * @property {string} [background]
+ *
+ * @typedef {"none" | "direct" | "screen_space_ao" | "object_space_ao"} LightingMode
+ *
+ * @typedef {object} Plane
+ * @property {number[]} normal
+ * @property {number} offset signed distance from the origin along the normal, in diagonals
+ * @property {number} [extent] side of the square, in diagonals
+ */
+
+export {};

@@ -1,0 +1,101 @@
+"""A page with the scene in it, in real Chromium with the software GPU."""
+
+from __future__ import annotations
+
+import io
+import shutil
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+sync_api = pytest.importorskip("playwright.sync_api")
+image = pytest.importorskip("PIL.Image")
+
+HERE = Path(__file__).parent
+ROOT = HERE.parents[2]
+CHROMIUM = "/usr/bin/chromium"
+ARGUMENTS = [
+    "--no-sandbox",
+    "--use-gl=angle",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+]
+
+
+class Stage:
+    """One scene on one page: starts it, feeds it, takes its picture."""
+
+    def __init__(self, page: Any) -> None:
+        self.page = page
+        self.messages: list[str] = []
+        page.on("console", lambda message: self.messages.append(message.text))
+        page.on("pageerror", lambda error: self.messages.append(str(error)))
+
+    def start(self, width: int = 400, height: int = 300, ratio: float = 1) -> None:
+        self.page.evaluate("([w, h, r]) => start(w, h, r)", [width, height, ratio])
+
+    def call(self, method: str, *arguments: Any) -> Any:
+        from .grids import pack
+
+        return self.page.evaluate(
+            "([method, values]) => scene[method](...values.map(unpack))",
+            [method, [pack(value) for value in arguments]],
+        )
+
+    def run(self, script: str) -> Any:
+        return self.page.evaluate(script)
+
+    def settle(self) -> None:
+        self.page.evaluate("next(4)")
+
+    def picture(self, name: str | None = None) -> np.ndarray:
+        """Return what the canvas shows, (h, w, 3) uint8."""
+        data = self.page.locator("canvas").screenshot()
+        if name:
+            Path(f"/tmp/scene-{name}.png").write_bytes(data)
+        return np.array(image.open(io.BytesIO(data)).convert("RGB"))
+
+
+@pytest.fixture(scope="session")
+def bundle(tmp_path_factory: pytest.TempPathFactory) -> str:
+    esbuild = ROOT / "node_modules" / ".bin" / "esbuild"
+    if not esbuild.exists():
+        pytest.skip("node_modules is not installed")
+    out = tmp_path_factory.mktemp("harness") / "harness.js"
+    source = str(HERE / "harness.js")
+    subprocess.run(
+        [str(esbuild), source, "--bundle", "--format=iife", f"--outfile={out}"],
+        check=True,
+        capture_output=True,
+    )
+    return out.read_text()
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Any]:
+    executable = CHROMIUM if Path(CHROMIUM).exists() else shutil.which("chromium")
+    with sync_api.sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=executable, args=ARGUMENTS)
+        yield browser
+        browser.close()
+
+
+@pytest.fixture
+def stage(browser: Any, bundle: str) -> Iterator[Stage]:
+    page = browser.new_page(viewport={"width": 1280, "height": 800})
+    page.set_content("<!doctype html><style>body{margin:0} canvas{display:block}</style>")
+    page.add_script_tag(content=bundle)
+    stage = Stage(page)
+    stage.start()
+    yield stage
+    page.close()
+    assert stage.messages == []
