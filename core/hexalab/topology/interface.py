@@ -1,0 +1,93 @@
+"""The interface: the faces that part shown cells from hidden ones or from the outside.
+
+It is what the picture is made of, and must follow a slider: a change of few cells looks at the faces of those
+cells only, any other change passes once over all faces.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..mesh import Ids
+from .faces import Faces
+
+SMALL_CHANGE = 24
+"""A change is small if fewer than one cell in that many flips: six scattered faces each against one pass."""
+
+
+class Interface(NamedTuple):
+    """The faces with exactly one shown side.
+
+    Attributes
+    ----------
+    rows : (N,) intp
+        Rows of the faces: first those that hidden cells expose, then those of the mesh's own boundary.
+    side : (N,) uint8
+        Which row of `face_cells` is the shown cell: 0 or 1.
+    cells : (N,) int32
+        The shown cells.
+    locals : (N,) uint8
+        Which of the shown cell's six faces it is.
+    inside : int
+        The first so many faces are exposed by hidden cells.
+    """
+
+    rows: NDArray[np.intp]
+    side: NDArray[np.uint8]
+    cells: Ids
+    locals: NDArray[np.uint8]
+    inside: int
+
+
+class InterfaceFinder:
+    """Finds interfaces one after the other, and remembers the last."""
+
+    def __init__(self, faces: Faces) -> None:
+        self._faces = faces
+        self._shown: NDArray[np.bool_] | None = None
+        self._parted: NDArray[np.bool_] | None = None
+
+    def find(self, shown: NDArray[np.bool_]) -> Interface:
+        """Faces with exactly one shown side.
+
+        Parameters
+        ----------
+        shown : (C,) bool
+        """
+        faces = self._faces
+        inside = self._inside(shown)
+        outer = np.flatnonzero(shown[faces.cells[0, faces.paired :]]) + faces.paired
+        second = ~shown[faces.cells[0][inside]]
+        rows = np.concatenate([inside, outer])
+        side = np.zeros(len(rows), np.uint8)
+        side[: len(inside)] = second
+        cells: Ids = faces.cells[0][rows]
+        local: NDArray[np.uint8] = faces.locals[0][rows]
+        turned = np.flatnonzero(second)
+        cells[turned] = faces.cells[1][inside[turned]]
+        local[turned] = faces.locals[1][inside[turned]]
+        return Interface(rows, side, cells, local, len(inside))
+
+    def _inside(self, shown: NDArray[np.bool_]) -> NDArray[np.intp]:
+        """Rows of two cells of which one is shown."""
+        left = self._faces.cells[0, : self._faces.paired]
+        right = self._faces.cells[1, : self._faces.paired]
+        if self._shown is not None and self._parted is not None:
+            flipped = np.flatnonzero(shown != self._shown)
+            if not len(flipped):
+                return np.flatnonzero(self._parted)
+            if len(flipped) * SMALL_CHANGE < len(shown):
+                rows: Ids = self._faces.rows[:, flipped].reshape(-1)
+                rows = rows[(rows >= 0) & (rows < self._faces.paired)]
+                self._parted[rows] = shown[left[rows]] != shown[right[rows]]
+                self._shown[flipped] = shown[flipped]
+                return np.flatnonzero(self._parted)
+        self._shown = shown.copy()
+        if shown.all() or not shown.any():
+            self._parted = np.zeros(self._faces.paired, dtype=bool)
+        else:
+            self._parted = shown[left] != shown[right]
+        return np.flatnonzero(self._parted)

@@ -1,0 +1,174 @@
+"""Which side of which cell meets which: the matching of faces.
+
+Sorting the keys of six million sides is what takes longest when a mesh of a million cells opens, above all in
+WebAssembly. A table is quicker: each side writes its number into the slot of its face, and the last writer
+wins. A side that did not win compares its key with the winner's; if they agree the two are one face. A round
+settles every winner, and what is left goes to the next; three or four rounds do for most meshes, and what is
+left then is sorted.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..mesh import Array, Ids
+from .keys import SLOTS_PER_VERTEX, FaceKeys, Slots
+
+SINGLE, VANISHED = -1, -2
+"""In `Pairing.partner`: no other cell has this face; the face has fewer than three vertices."""
+
+ROUNDS = 24
+"""After so many rounds what is left is sorted: a vertex that is the smallest of very many faces."""
+
+_BLOCK = 1 << 18
+
+
+class Pairing(NamedTuple):
+    """Sides paired with sides; a side is `local * C + cell`.
+
+    Attributes
+    ----------
+    partner : (6 C,) int32
+        The side across the face, `SINGLE` or `VANISHED`.
+    crowd : (K,) intp
+        Sides whose face is not plain: more than two sides have it, or twice the same cell. In order of their
+        group.
+    group : (K,) intp
+        Number of the face of each side in `crowd`, from 0.
+    """
+
+    partner: Ids
+    crowd: Slots
+    group: Slots
+
+
+def match(keys: FaceKeys, cell_count: int, vertex_count: int) -> Pairing:
+    """Pair the sides of equal keys; a face of more sides pairs two by two, and one may be left over."""
+    total = len(keys.slot)
+    partner = np.full(total, SINGLE, np.int32)
+    table = np.empty(SLOTS_PER_VERTEX * vertex_count, np.int32)
+    if keys.vanished:
+        partner[keys.slot < 0] = VANISHED
+        rest = np.flatnonzero(keys.slot >= 0)
+        winner = _winners(table, keys.slot[rest], rest)
+        lost = np.flatnonzero(winner != rest)
+        rest, winner = rest[lost], winner[lost]
+    else:
+        sides = np.arange(total, dtype=np.int32)
+        winner = _winners(table, keys.slot, sides)
+        rest = np.flatnonzero(winner != sides)
+        winner = winner[rest]
+        del sides
+    pairs = 0
+    for _ in range(ROUNDS):
+        same = _equal(keys, rest, winner)
+        agree = np.flatnonzero(same)
+        one, other = rest[agree], winner[agree]
+        partner[one] = other
+        partner[other] = one
+        pairs += len(agree)
+        if len(agree) == len(rest):
+            rest = rest[:0]
+            break
+        rest = rest[np.flatnonzero(~same)]
+        winner = _winners(table, keys.slot[rest], rest)
+        lost = np.flatnonzero(winner != rest)
+        rest, winner = rest[lost], winner[lost]
+    if len(rest):
+        one, other = _sorted_matches(keys, np.concatenate([rest, np.unique(winner)]))
+        partner[one] = other
+        partner[other] = one
+        pairs += len(one)
+    if np.count_nonzero(partner >= 0) != 2 * pairs:
+        return _part_crowds(partner, cell_count)
+    return Pairing(partner, np.empty(0, np.intp), np.empty(0, np.intp))
+
+
+def _winners(table: Ids, slot: Slots, sides: Array) -> Ids:
+    """Let each side write into its slot; return for each side the one that stayed there."""
+    table[slot] = sides
+    winners: Ids = table[slot]
+    return winners
+
+
+def _equal(keys: FaceKeys, one: Array, other: Array) -> NDArray[np.bool_]:
+    """Whether sides of one slot have the same face, block by block to bound the temporaries."""
+    same = np.empty(len(one), dtype=bool)
+    for start in range(0, len(one), _BLOCK):
+        block = slice(start, start + _BLOCK)
+        a, b = one[block], other[block]
+        np.equal(keys.parts[0][a], keys.parts[0][b], out=same[block])
+        for part in keys.parts[1:]:
+            same[block] &= part[a] == part[b]
+    return same
+
+
+def _sorted_matches(keys: FaceKeys, sides: Array) -> tuple[Array, Array]:
+    """Pair each side with the first of its face, by sorting."""
+    columns = [part[sides] for part in keys.parts] + [keys.slot[sides]]
+    order = np.lexsort(columns)
+    sides = sides[order]
+    new = np.zeros(len(sides), dtype=bool)
+    new[:1] = True
+    for column in columns:
+        column = column[order]
+        new[1:] |= column[1:] != column[:-1]
+    leader = sides[np.maximum.accumulate(np.where(new, np.arange(len(sides)), 0))]
+    follows = np.flatnonzero(~new)
+    return sides[follows], leader[follows]
+
+
+def _part_crowds(partner: Ids, cell_count: int) -> Pairing:
+    """Pair the sides of faces that more than two sides have anew: as many as can be, never a cell with
+    itself.
+
+    With a face's sides in order of their cells, each pairs with the one so many places on that no cell
+    reaches as far.
+    """
+    paired = np.flatnonzero(partner >= 0)
+    mate = partner[paired]
+    leaders = np.unique(mate[partner[mate] != paired])
+    leads = np.zeros(len(partner) - VANISHED, dtype=bool)
+    leads[leaders] = True
+    followers = np.flatnonzero(leads[partner])
+    sides = np.concatenate([leaders, followers])
+    group = np.searchsorted(leaders, np.concatenate([leaders, partner[followers]]))
+    cells = sides % cell_count
+    order = np.lexsort((sides, cells, group))
+    sides, group, cells = sides[order], group[order], cells[order]
+    partner[sides] = SINGLE
+    size = np.bincount(group)
+    first = np.cumsum(size) - size
+    most = np.zeros(len(size), np.intp)
+    np.maximum.at(most, group, _occurrence(group, cells) + 1)
+    step = np.maximum(most, (size + 1) // 2)
+    one = np.flatnonzero(np.arange(len(sides)) - first[group] < (size - step)[group])
+    other = one + step[group[one]]
+    partner[sides[one]] = sides[other]
+    partner[sides[other]] = sides[one]
+    return Pairing(partner, sides.astype(np.intp), group.astype(np.intp))
+
+
+def unfold(pairing: Pairing, sides: Array) -> Pairing:
+    """Part the pairs that join a cell to itself, given the first side of each: such a face has one cell."""
+    partner, crowd, group = pairing
+    mates = partner[sides]
+    partner[sides] = SINGLE
+    partner[mates] = SINGLE
+    start = int(group[-1]) + 1 if len(group) else 0
+    more = np.arange(start, start + len(sides))
+    both = np.stack([sides, mates], axis=1).reshape(-1)
+    return Pairing(
+        partner, np.concatenate([crowd, both]).astype(np.intp), np.concatenate([group, np.repeat(more, 2)])
+    )
+
+
+def _occurrence(group: Array, cells: Array) -> Array:
+    """How many times the same cell came before in the same group, both sorted."""
+    place = np.arange(len(group))
+    new = np.ones(len(group), dtype=bool)
+    new[1:] = (group[1:] != group[:-1]) | (cells[1:] != cells[:-1])
+    return np.asarray(place - np.maximum.accumulate(np.where(new, place, 0)))
