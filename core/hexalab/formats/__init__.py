@@ -1,0 +1,95 @@
+"""Mesh files: bytes in, `Mesh` out, and back (SPEC R).
+
+>>> mesh = read_bytes(open("cube.mesh", "rb").read(), "cube.mesh")    # doctest: +SKIP
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import BinaryIO
+
+from ..errors import MeshReadError, MeshWriteError
+from ..mesh import Mesh
+from .container import unwrapped
+from .registry import FORMATS, Format, choose
+from .source import Source
+
+__all__ = ["FORMATS", "Format", "read", "read_bytes", "write", "write_bytes"]
+
+
+def read_bytes(data: bytes | bytearray | memoryview, name: str = "") -> Mesh:
+    """Read a mesh from the bytes of a file.
+
+    Parameters
+    ----------
+    data : bytes
+        The file, gzipped or not. Anything else than `bytes` is copied once.
+    name : str
+        Its name: for messages, and its ending tells the format where the content does not.
+
+    Returns
+    -------
+    Mesh
+        With `name`, `format` and `notes` set.
+
+    Raises
+    ------
+    MeshReadError
+        The bytes are no mesh that can be read; it names file, place, what was found and what was expected.
+    """
+    source = unwrapped(Source(data if isinstance(data, bytes) else bytes(data), name))
+    del data
+    try:
+        return choose(source).reader(source)
+    except MemoryError:
+        raise source.error("there is not enough memory for this mesh") from None
+
+
+def read(file: str | os.PathLike[str] | BinaryIO) -> Mesh:
+    """Read a mesh from a path or an open binary file; see `read_bytes`."""
+    if isinstance(file, str | os.PathLike):
+        path = Path(file)
+        try:
+            data = path.read_bytes()
+        except OSError as error:
+            raise MeshReadError(
+                f"the file can't be read: {error.strerror or error}", file=str(path)
+            ) from None
+        return read_bytes(data, path.name)
+    return read_bytes(file.read(), str(getattr(file, "name", "")))
+
+
+def write_bytes(mesh: Mesh, format_id: str) -> bytes:
+    """The bytes of a file of that format (a row of FORMATS that has a writer).
+
+    Raises
+    ------
+    MeshWriteError
+        The format is unknown or can't be written.
+    """
+    for row in FORMATS:
+        if row.id == format_id and row.writer:
+            return row.writer(mesh)
+    known = ", ".join(row.id for row in FORMATS if row.writer)
+    raise MeshWriteError(f"meshes can't be written as ‘{format_id}’, expected one of {known}")
+
+
+def write(mesh: Mesh, path: str | os.PathLike[str]) -> None:
+    """Write a mesh to a file; the path's ending tells the format.
+
+    Raises
+    ------
+    MeshWriteError
+        No format that can be written has that ending, or the file can't be written.
+    """
+    path = Path(path)
+    for row in FORMATS:
+        if row.writer and path.suffix.lower() in row.extensions:
+            try:
+                path.write_bytes(row.writer(mesh))
+            except OSError as error:
+                raise MeshWriteError(f"{path} can't be written: {error.strerror or error}") from None
+            return
+    known = ", ".join(extension for row in FORMATS if row.writer for extension in row.extensions)
+    raise MeshWriteError(f"{path.name}: meshes can't be written with this ending, expected one of {known}")

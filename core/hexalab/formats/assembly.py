@@ -1,0 +1,180 @@
+"""What every reader ends with: blocks of cells and their arrays become one checked mesh."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import MeshReadError
+from ..mesh import COLLAPSE, HEXAHEDRON, KINDS, Array, Floats, Ids, Mesh
+from .ids import LARGEST_ID
+from .source import Source
+
+
+@dataclass
+class CellBlock:
+    """Cells of one kind, in file order.
+
+    Parameters
+    ----------
+    kind : int
+        Index into KINDS.
+    corners : (8, n) or (k, n) integers
+        Zero-based vertex ids; k rows are the kind's own corners in VTK's order, not yet collapsed.
+    locate : callable
+        Makes the error for a message about the corner of a cell: `locate(message, cell, corner)`; the cell is
+        counted within the block, the corner is one of its own.
+    base : int
+        What the file counts vertices from, for messages.
+    cells : (n,) ids, optional
+        Their places in the mesh's order of cells, where blocks interleave; default: after the blocks before.
+    """
+
+    kind: int
+    corners: Ids
+    locate: Callable[[str, int, int], MeshReadError]
+    base: int = 0
+    cells: Array | None = None
+
+
+@dataclass
+class Assembly:
+    """Gathers what a reader finds.
+
+    Parameters
+    ----------
+    source : Source
+        The file.
+    format_id : str
+        Row of the registry.
+    """
+
+    source: Source
+    format_id: str
+    coordinates: Floats | None = None
+    blocks: list[CellBlock] = field(default_factory=list)
+    point_data: dict[str, Array] = field(default_factory=dict)
+    cell_data: dict[str, Array] = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)
+    left_out: dict[str, int] = field(default_factory=dict)
+
+    def note(self, sentence: str) -> None:
+        """Add a note, once."""
+        if sentence not in self.notes:
+            self.notes.append(sentence)
+
+    def leave_out(self, kind: str, count: int) -> None:
+        """Count cells that are not of a volumetric kind that can be kept."""
+        if count:
+            self.left_out[kind] = self.left_out.get(kind, 0) + count
+
+    def mesh(self) -> Mesh:
+        """Check and join everything.
+
+        Raises
+        ------
+        MeshReadError
+            No vertices, no cells, a vertex id out of range.
+        """
+        if self.coordinates is None:
+            raise self.source.error("no vertices were found, so there is no mesh to show")
+        vertex_count = self.coordinates.shape[1]
+        if vertex_count > LARGEST_ID:
+            raise self.source.error(f"{vertex_count} vertices are more than 2,147,483,646")
+        blocks = [block for block in self.blocks if block.corners.shape[1]]
+        if not blocks:
+            raise self.source.error(self.nothing_to_show())
+        for block in blocks:
+            check_ids(block, vertex_count)
+        if self.left_out:
+            names = ", ".join(f"{count} {kind}" for kind, count in sorted(self.left_out.items()))
+            self.note(f"Left out, as they are no volumetric cells that can be shown: {names}.")
+        corners, kinds = joined(blocks)
+        return Mesh(
+            self.coordinates,
+            corners,
+            kinds,
+            point_data=fitting(self.point_data, vertex_count),
+            cell_data=fitting(self.cell_data, len(kinds)),
+            name=self.source.name,
+            format=self.format_id,
+            notes=self.notes,
+        )
+
+    def nothing_to_show(self) -> str:
+        """The sentence for a file without volumetric cells."""
+        wanted = "expected hexahedra, wedges, pyramids or tetrahedra"
+        if not self.left_out:
+            return f"the file has no cells: {wanted}" + (f" ({' '.join(self.notes)})" if self.notes else "")
+        names = ", ".join(f"{count} {kind}" for kind, count in sorted(self.left_out.items()))
+        return f"the file has no volumetric cells, only {names}: {wanted}"
+
+
+def check_ids(block: CellBlock, vertex_count: int) -> None:
+    """Raise MeshReadError if a corner is no vertex of the mesh."""
+    low, high = int(block.corners.min()), int(block.corners.max())
+    if low >= 0 and high < vertex_count:
+        return
+    wrong = (block.corners < 0) | (block.corners >= vertex_count)
+    cell = int(np.argmax(wrong.any(axis=0)))
+    corner = int(np.argmax(wrong[:, cell]))
+    found = int(block.corners[corner, cell]) + block.base
+    expected = f"expected {block.base} to {vertex_count - 1 + block.base}"
+    raise block.locate(
+        f"a {KINDS[block.kind]} refers to vertex {found}, which is not there: {expected}", cell, corner
+    )
+
+
+def joined(blocks: list[CellBlock]) -> tuple[Ids, NDArray[np.uint8]]:
+    """(8, C) int32 corners of all blocks, collapsed, and (C,) kinds."""
+    count = sum(block.corners.shape[1] for block in blocks)
+    kinds = np.full(count, blocks[0].kind, dtype=np.uint8)
+    if len(blocks) == 1 and blocks[0].kind == HEXAHEDRON:
+        return np.ascontiguousarray(blocks[0].corners, dtype=np.int32), kinds
+    out = np.empty((8, count), dtype=np.int32)
+    start = 0
+    for block in blocks:
+        part: slice | Array = slice(start, start + block.corners.shape[1])
+        start += block.corners.shape[1]
+        if block.cells is not None:
+            part = block.cells
+        kinds[part] = block.kind
+        for place, own in enumerate(COLLAPSE[block.kind]):
+            out[place, part] = block.corners[own]
+    return out, kinds
+
+
+def fitting(arrays: Mapping[str, Array], count: int) -> dict[str, Array]:
+    """The arrays that hold one row for each of so many entries; a single column becomes 1-d."""
+    out = {}
+    for name, values in arrays.items():
+        if len(values) == count and values.dtype.kind in "iufb":
+            out[name] = values[:, 0] if values.ndim == 2 and values.shape[1] == 1 else values
+    return out
+
+
+def free_name(arrays: Mapping[str, Array], name: str) -> str:
+    """The name, with a number added if it is taken."""
+    name = name or "unnamed"
+    if name not in arrays:
+        return name
+    number = 2
+    while f"{name}_{number}" in arrays:
+        number += 1
+    return f"{name}_{number}"
+
+
+def check_finite(coordinates: Floats, locate: Callable[[str, int], MeshReadError]) -> None:
+    """Raise `locate(message, vertex)` for the first vertex of (3, n) coordinates that is not finite."""
+    finite = np.isfinite(coordinates)
+    if finite.all():
+        return
+    vertex = int(np.argmin(finite.all(axis=0)))
+    axis = int(np.argmin(finite[:, vertex]))
+    value = coordinates[axis, vertex]
+    raise locate(
+        f"the {'xyz'[axis]} coordinate of vertex {vertex + 1} is {value}, not a finite number", vertex
+    )

@@ -1,0 +1,174 @@
+"""Medit `.mesh`, ASCII (SPEC R1).
+
+Keywords in any order and letter case, comments from `#`, any white space. A row of vertices or cells ends
+with a reference or not: what the numbers up to the next keyword come to decides. References that are not
+all zero become the attribute "reference".
+"""
+
+from __future__ import annotations
+
+import re
+from functools import partial
+
+import numpy as np
+
+from ..errors import MeshReadError
+from ..mesh import Array, Ids, Mesh
+from .assembly import Assembly, CellBlock, check_finite
+from .ids import within_int32
+from .medit_keywords import CELLS, SKIPPED, SURFACE
+from .source import Source
+from .text import NUMBER, Interrupted, Text, shown
+
+NEXT_KEYWORD = re.compile(rb"(?<!\S)[A-Za-z]\S*")
+REFERENCE = "reference"
+
+
+def read(source: Source) -> Mesh:
+    """Read the bytes of a `.mesh` file; raises MeshReadError."""
+    return Reader(source).read()
+
+
+class Reader:
+    """One pass over the file, section by section."""
+
+    def __init__(self, source: Source) -> None:
+        self.text = Text(source, comment=b"#")
+        self.out = Assembly(source, "mesh")
+        self.point_references: Array | None = None
+        self.cell_references: list[Array] = []
+
+    def read(self) -> Mesh:
+        text, ended = self.text, False
+        while word := text.word():
+            ended = word.lower() == b"end"
+            if ended:
+                break
+            self.section(word)
+        if not ended:
+            self.out.note("The file does not end with the keyword End: it may be cut short.")
+        if self.point_references is not None and self.point_references.any():
+            self.out.point_data[REFERENCE] = self.point_references
+        references = np.concatenate(self.cell_references) if self.cell_references else np.zeros(0)
+        if references.any():
+            self.out.cell_data[REFERENCE] = references
+        return self.out.mesh()
+
+    def section(self, word: bytes) -> None:
+        """Read or skip what follows a keyword."""
+        text, keyword = self.text, word.decode("latin-1").lower()
+        if keyword == "meshversionformatted":
+            text.integer("the format's version")
+        elif keyword == "dimension":
+            start = text.word_offset()
+            dimension = text.integer("the dimension")
+            if dimension != 3:
+                raise text.error(f"the dimension is {dimension}, expected 3: a volumetric mesh", start)
+        elif keyword == "vertices":
+            self.vertices()
+        elif keyword in CELLS:
+            self.cells(keyword)
+        elif NUMBER.fullmatch(word):
+            raise text.error(
+                f"{shown(word)} stands where a keyword was expected: the section before has more numbers "
+                "than it announces",
+                text.position - len(word),
+            )
+        else:
+            if keyword in SURFACE:
+                self.out.leave_out(SURFACE[keyword], text.count(SURFACE[keyword]))
+            elif keyword not in SKIPPED:
+                self.out.note(f"The section {shown(word)} is not of the format and was skipped.")
+            self.skip()
+
+    def skip(self) -> None:
+        """Go to the next keyword."""
+        match = NEXT_KEYWORD.search(self.text.data, self.text.position)
+        self.text.position = match.start() if match else len(self.text.data)
+
+    def vertices(self) -> None:
+        if self.out.coordinates is not None:
+            raise self.text.error("a second section Vertices: expected one")
+        count = self.text.count("vertices", 3)
+        start = self.text.position
+        width = self.guess(4)
+        try:
+            values = self.vertex_rows(count, width)
+        except Interrupted as stop:
+            if stop.found != count * (7 - width):
+                raise
+            self.text.position, width = start, 7 - width
+            values = self.vertex_rows(count, width)
+        self.out.coordinates = values[:3]
+        if width == 4:
+            self.point_references = whole_references(values[3])
+
+    def vertex_rows(self, count: int, width: int) -> Array:
+        """(width, count) float64."""
+        text = self.text
+        begin = text.position
+        self.check_room(count, width, 7 - width, "Vertices")
+        out = np.empty((width, count))
+        for part, rows in text.rows(count, width, np.float64, "Vertices"):
+            out[:, part] = rows.T
+            check_finite(out[:3, part], partial(self.vertex_error, begin, width, part.start))
+        return out
+
+    def vertex_error(self, begin: int, width: int, first: int, message: str, vertex: int) -> MeshReadError:
+        """The error for a vertex of a piece of the section that begins at byte `begin`."""
+        return self.text.error(message, self.text.number_offset(begin, (first + vertex) * width))
+
+    def cells(self, keyword: str) -> None:
+        kind, own, row = CELLS[keyword]
+        count = self.text.count(keyword, row)
+        start = self.text.position
+        width = self.guess(row + 1)
+        other = 2 * row + 1 - width
+        try:
+            corners, references = self.cell_rows(keyword, count, width)
+        except Interrupted as stop:
+            if stop.found != count * other:
+                raise
+            self.text.position, width = start, other
+            corners, references = self.cell_rows(keyword, count, width)
+        if row > own and count:
+            self.out.note(f"Cells of higher order ({keyword}) are shown by their corners.")
+        text = self.text
+
+        def locate(message: str, cell: int, corner: int) -> MeshReadError:
+            return text.error(message, text.number_offset(start, cell * width + corner))
+
+        self.out.blocks.append(CellBlock(kind, corners, locate, base=1))
+        self.cell_references.append(references)
+
+    def cell_rows(self, keyword: str, count: int, width: int) -> tuple[Ids, Ids]:
+        """(own corners, count) zero-based and (count,) references, int32."""
+        _, own, row = CELLS[keyword]
+        self.check_room(count, width, 2 * row + 1 - width, keyword.capitalize())
+        corners = np.empty((own, count), dtype=np.int32)
+        references = np.zeros(count, dtype=np.int32)
+        for part, rows in self.text.rows(count, width, np.intp, keyword.capitalize()):
+            rows = within_int32(rows)
+            np.subtract(rows[:, :own].T, 1, out=corners[:, part], casting="unsafe")
+            if width > row:
+                references[part] = rows[:, row]
+        return corners, references
+
+    def guess(self, width: int) -> int:
+        """The width if the next line has as many numbers or more than one row, else one less."""
+        words = self.text.first_row_width()
+        return width - 1 if words == width - 1 else width
+
+    def check_room(self, count: int, width: int, other: int, what: str) -> None:
+        """Raise if fewer bytes are left than so many rows take; the other width may still fit."""
+        left = len(self.text.data) - self.text.position
+        if count * width * 2 > left + 1:
+            message = f"{what} should be {count * width} numbers, but the file has only {left} more bytes"
+            raise Interrupted(self.text.error(message), count * other)
+
+
+def whole_references(values: Array) -> Array:
+    """(V,) references as int32 where they are whole numbers of that size, else as they are."""
+    if np.isfinite(values).all() and np.abs(values).max(initial=0) < 2**31 and (values % 1 == 0).all():
+        return values.astype(np.int32)
+    return values

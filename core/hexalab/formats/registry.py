@@ -1,0 +1,80 @@
+"""The formats as rows of a table, and how a file finds its row."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from ..mesh import Mesh
+from . import medit, vtk_legacy
+from .source import Source
+
+HEAD = 8192
+"""Bytes from the file's start that the content is judged by."""
+
+
+@dataclass(frozen=True)
+class Format:
+    """One file format.
+
+    Parameters
+    ----------
+    id : str
+        Short name, in `Mesh.format` and for `write_bytes`.
+    name : str
+        What a user calls it.
+    extensions : tuple of str
+        Endings of file names, with the dot, in lower case.
+    recognise : pattern
+        What the first bytes of such a file match.
+    reader : callable
+        Source in, Mesh out; raises MeshReadError.
+    writer : callable or None
+        Mesh in, bytes out.
+    """
+
+    id: str
+    name: str
+    extensions: tuple[str, ...]
+    recognise: re.Pattern[bytes]
+    reader: Callable[[Source], Mesh]
+    writer: Callable[[Mesh], bytes] | None = None
+
+
+FORMATS: tuple[Format, ...] = (
+    Format(
+        "mesh",
+        "Medit ASCII",
+        (".mesh",),
+        re.compile(rb"(?:\s|\xef\xbb\xbf|#[^\r\n]*)*MeshVersionFormatted\b", re.I),
+        medit.read,
+    ),
+    Format(
+        "vtk",
+        "VTK legacy",
+        (".vtk",),
+        re.compile(rb"(?:\s|\xef\xbb\xbf)*#\s*vtk\s+DataFile", re.I),
+        vtk_legacy.read,
+    ),
+)
+
+
+def choose(source: Source) -> Format:
+    """The format of a file: by its content, else by its name's ending.
+
+    Raises
+    ------
+    MeshReadError
+        Neither tells.
+    """
+    head = source.data[:HEAD]
+    for row in FORMATS:
+        if row.recognise.match(head):
+            return row
+    name = source.name.lower().removesuffix(".gz")
+    for row in FORMATS:
+        if name.endswith(row.extensions):
+            return row
+    known = ", ".join(extension for row in FORMATS for extension in row.extensions)
+    raise source.error(f"neither the content nor the name tells of a known format, expected one of {known}")

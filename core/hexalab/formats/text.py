@@ -1,0 +1,286 @@
+"""Text of a mesh file: words one by one, blocks of numbers by a C-level call over their bytes.
+
+A block is parsed in pieces of a quarter of a megabyte, so that what is made of each piece is made in cache
+and only one piece is ever held twice. Nothing looks at single numbers unless something is wrong with them;
+then the guilty one is searched for.
+"""
+
+from __future__ import annotations
+
+import re
+import warnings
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import DTypeLike, NDArray
+
+from ..errors import MeshReadError
+from .ids import within_int32
+from .source import Source
+
+PIECE = 1 << 18
+"""Bytes parsed by one call: small enough for the cache, large enough that the call's own cost is nothing."""
+
+WORD = re.compile(rb"\S+")
+NUMBER = re.compile(rb"[+-]?(?:\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?|nan|inf(?:inity)?)", re.I)
+INTEGER = re.compile(rb"[+-]?\d+")
+FORTRAN_EXPONENT = re.compile(rb"(?<=[\d.])[dD](?=[+-]?\d)")
+
+
+class Interrupted(MeshReadError):
+    """Something other than a number stands in a block, or the file ends in it.
+
+    Parameters
+    ----------
+    found : int
+        How many numbers of the block stand before it.
+    """
+
+    def __init__(self, error: MeshReadError, found: int) -> None:
+        super().__init__(error.message, file=error.file, line=error.line, offset=error.offset)
+        self.found = found
+
+
+class Text:
+    """Reads a text source from front to back.
+
+    Parameters
+    ----------
+    source : Source
+        The file; a byte order mark at its start is skipped.
+    comment : bytes
+        What opens a comment that runs to the end of the line; comments count as white space.
+    """
+
+    def __init__(self, source: Source, comment: bytes = b"") -> None:
+        self.source = source
+        self.data = source.data
+        if comment and comment in self.data:
+            self.data = re.sub(re.escape(comment) + rb"[^\r\n]*", lambda m: b" " * len(m[0]), self.data)
+        self.position = 3 if self.data.startswith(b"\xef\xbb\xbf") else 0
+
+    def error(self, message: str, offset: int | None = None) -> MeshReadError:
+        """The error for what stands at the byte offset (default: the present position)."""
+        return self.source.error(message, line_at=self.position if offset is None else offset)
+
+    def peek(self) -> bytes:
+        """The next word, empty at the end of the file."""
+        match = WORD.search(self.data, self.position)
+        return match[0] if match else b""
+
+    def word(self) -> bytes:
+        """Take the next word, empty at the end of the file."""
+        match = WORD.search(self.data, self.position)
+        if not match:
+            self.position = len(self.data)
+            return b""
+        self.position = match.end()
+        return match[0]
+
+    def line(self) -> bytes:
+        """Take the rest of the line, without its end."""
+        end = self.data.find(b"\n", self.position)
+        end = len(self.data) if end < 0 else end
+        line = self.data[self.position : end]
+        self.position = min(end + 1, len(self.data))
+        return line.rstrip(b"\r")
+
+    def word_offset(self) -> int:
+        """Where the next word begins."""
+        match = WORD.search(self.data, self.position)
+        return match.start() if match else len(self.data)
+
+    def integer(self, what: str) -> int:
+        """Take a whole number; `what` names it in the error."""
+        start = self.word_offset()
+        word = self.word()
+        if not INTEGER.fullmatch(word) or len(word) > 20:
+            raise self.error(f"{shown(word)} stands where {what} was expected, a whole number", start)
+        return int(word)
+
+    def count(self, what: str, least_numbers: int = 1) -> int:
+        """Take the number of entries that follow, each of at least so many numbers.
+
+        Raises
+        ------
+        MeshReadError
+            If it is negative or more than the bytes that are left can hold.
+        """
+        start = self.word_offset()
+        count = self.integer(f"the number of {what}")
+        room = (len(self.data) - self.position + 1) // 2
+        if count < 0:
+            raise self.error(f"the number of {what} is {count}", start)
+        if count * least_numbers > room:
+            raise self.error(
+                f"{count} {what} are announced, but the file has only {len(self.data) - self.position} more "
+                "bytes: it is cut short or the number is wrong",
+                start,
+            )
+        return count
+
+    def pieces(self, count: int, dtype: DTypeLike, what: str) -> Iterator[NDArray[Any]]:
+        """Take `count` numbers, as consecutive arrays.
+
+        Parameters
+        ----------
+        count : int
+            How many numbers the block holds; not trusted, nothing of that size is allocated.
+        dtype : dtype
+            float64 or intp. (intp, not int64: parsing 32-bit numbers is a third faster in WebAssembly, where
+            they saturate; not int32, as that wraps silently elsewhere.)
+        what : str
+            Names the block in errors.
+
+        Raises
+        ------
+        Interrupted
+            If something else than a number comes before the last one.
+        """
+        data, found = self.data, 0
+        while found < count:
+            size = min(PIECE, 64 + 24 * (count - found))
+            end = piece_end(data, self.position, size)
+            piece = data[self.position : end]
+            values, stopped = parse(piece, dtype)
+            if stopped and found + len(values) < count and dtype == np.float64:
+                piece = FORTRAN_EXPONENT.sub(b"e", piece)
+                values, stopped = parse(piece, dtype)
+            if (stopped or end == len(data)) and found + len(values) < count:
+                raise self.interruption(piece, dtype, what, found, count)
+            values = values[: count - found]
+            found += len(values)
+            if found == count:
+                last = word_span(piece, len(values))
+                if not last or not is_number(piece[slice(*last)], dtype):
+                    raise self.interruption(piece, dtype, what, found - len(values), count)
+                self.position += last[1]
+            else:
+                self.position = end
+            yield values
+
+    def numbers(self, count: int, dtype: DTypeLike, what: str) -> NDArray[Any]:
+        """Take `count` numbers as one array; see `pieces`."""
+        self.check_room(count, what)
+        out = np.empty(count, dtype=dtype)
+        start = 0
+        for values in self.pieces(count, dtype, what):
+            out[start : start + len(values)] = values
+            start += len(values)
+        return out
+
+    def ids(self, count: int, what: str) -> NDArray[np.int32]:
+        """Take `count` whole numbers as int32; those that do not fit become an end of its range."""
+        self.check_room(count, what)
+        out = np.empty(count, dtype=np.int32)
+        start = 0
+        for values in self.pieces(count, np.intp, what):
+            out[start : start + len(values)] = within_int32(values)
+            start += len(values)
+        return out
+
+    def rows(
+        self, count: int, width: int, dtype: DTypeLike, what: str
+    ) -> Iterator[tuple[slice, NDArray[Any]]]:
+        """Take `count` rows of `width` numbers: pairs of a slice of rows and their numbers, (n, width)."""
+        row = 0
+        rest: NDArray[Any] = np.empty(0, dtype=dtype)
+        for piece in self.pieces(count * width, dtype, what):
+            values: NDArray[Any] = np.concatenate([rest, piece]) if len(rest) else piece
+            whole = len(values) // width
+            rest = values[whole * width :]
+            yield slice(row, row + whole), values[: whole * width].reshape(whole, width)
+            row += whole
+
+    def check_room(self, count: int, what: str) -> None:
+        """Raise MeshReadError if the bytes left can't hold so many numbers."""
+        left = len(self.data) - self.position
+        if count * 2 > left + 1:
+            raise self.error(f"{what} should be {count} numbers, but the file has only {left} more bytes")
+
+    def number_offset(self, start: int, index: int) -> int:
+        """Byte offset of the number with that index in the block that starts at the byte offset `start`."""
+        while True:
+            end = piece_end(self.data, start, PIECE)
+            starts = token_starts(self.data[start:end])
+            if index < len(starts) or end == len(self.data):
+                return start + int(starts[min(index, len(starts) - 1)]) if len(starts) else start
+            index -= len(starts)
+            start = end
+
+    def first_row_width(self) -> int:
+        """How many words stand on the next line that has any."""
+        match = re.compile(rb"[^\r\n]*\S[^\r\n]*").search(self.data, self.position)
+        return len(match[0].split()) if match else 0
+
+    def interruption(self, piece: bytes, dtype: DTypeLike, what: str, found: int, count: int) -> Interrupted:
+        """Find what is not a number in the piece at the present position."""
+        for token in WORD.finditer(piece):
+            if not is_number(token[0], dtype):
+                message = (
+                    f"{shown(token[0])} stands where a {'' if dtype == np.float64 else 'whole '}number was "
+                    f"expected: {what} should be {count} numbers and this is number {found + 1}"
+                )
+                return Interrupted(self.error(message, self.position + token.start()), found)
+            found += 1
+        message = f"the file ends in {what}: {found} of {count} numbers are there"
+        return Interrupted(self.error(message, len(self.data.rstrip())), found)
+
+
+def parse(piece: bytes, dtype: DTypeLike) -> tuple[NDArray[Any], bool]:
+    """The numbers that a piece of text begins with, and whether something else stopped them.
+
+    No count is passed to numpy: where the text has fewer numbers, it returns memory that was never written.
+    """
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always", DeprecationWarning)
+        try:
+            values = np.fromstring(piece, dtype=dtype, sep=" ")
+        except ValueError:
+            caught.append(warnings.WarningMessage("", DeprecationWarning, "", 0))
+            good = next((m.start() for m in WORD.finditer(piece) if not is_number(m[0], dtype)), 0)
+            values = np.fromstring(piece[:good], dtype=dtype, sep=" ")
+    return values, bool(caught)
+
+
+def piece_end(data: bytes, start: int, size: int) -> int:
+    """Where to cut a piece of about that size: after white space, so that no number is cut in two."""
+    end = start + size
+    while end < len(data):
+        cut = data.rfind(b"\n", start, end) + 1
+        if not cut:
+            cut = max(data.rfind(space, start, end) for space in (b" ", b"\t", b"\r")) + 1
+        if cut > start:
+            return cut
+        end = end + size
+    return len(data)
+
+
+def token_starts(piece: bytes) -> NDArray[np.intp]:
+    """Offsets at which words begin."""
+    solid = np.frombuffer(piece, dtype=np.uint8) > 32
+    begins = solid.copy()
+    begins[1:] &= ~solid[:-1]
+    return np.flatnonzero(begins)
+
+
+def word_span(piece: bytes, count: int) -> tuple[int, int] | None:
+    """Where the word number `count` (from 1) begins and ends."""
+    starts = token_starts(piece)
+    match = WORD.match(piece, int(starts[count - 1])) if len(starts) >= count else None
+    return match.span() if match else None
+
+
+def is_number(word: bytes, dtype: DTypeLike) -> bool:
+    """Whether all of the word is one number."""
+    return bool((NUMBER if dtype == np.float64 else INTEGER).fullmatch(word))
+
+
+def shown(word: bytes) -> str:
+    """A word of the file as an error message shows it: short, printable, in quotes."""
+    if not word:
+        return "the end of the file"
+    text = word[:40].decode("utf-8", "replace")
+    text = "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in text)
+    return f"‘{text}{'...' if len(word) > 40 else ''}’"

@@ -1,0 +1,202 @@
+"""VTK's rows of cells become blocks of our kinds; the same for `.vtk` and `.vtu`.
+
+Three published habits are met here: rows of eight corners whose declared type has another number (eleven
+files of Symmetric Moving Frames say tetrahedron), files without types, and voxels written in the order of
+hexahedra.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import MeshReadError
+from ..mesh import CHUNK, HEXAHEDRON, Array, Floats, Ids
+from .assembly import Assembly, CellBlock, check_ids
+from .vtk_types import CELL_TYPES, HEXAHEDRON_TYPE, VOXEL, CellType
+
+VOXEL_SAMPLE = 4096
+
+
+@dataclass
+class Rows:
+    """Cells as rows of vertex ids of differing length.
+
+    Parameters
+    ----------
+    ids : (n,) integers
+        All rows, one after the other; there may be other numbers between them.
+    starts, sizes : (C,) intp
+        Where each row begins in `ids` and how many corners it has; already checked to lie within.
+    types : (C,) integers or None
+        VTK's cell types.
+    error_at : callable
+        `error_at(message, index)` makes the error for `ids[index]`.
+    uniform : int
+        If all rows have that many corners and stand at equal distances: that number, else 0.
+    """
+
+    ids: Array
+    starts: Array
+    sizes: Array
+    types: Array | None
+    error_at: Callable[[str, int], MeshReadError]
+    uniform: int = 0
+
+
+def add_cells(out: Assembly, rows: Rows) -> NDArray[np.intp] | None:
+    """Add the volumetric cells to the assembly, in file order.
+
+    Returns
+    -------
+    kept : (n,) intp or None
+        Rows that became cells, ascending; None if all did.
+    """
+    if rows.uniform == 8 and rows.types is not None and (rows.types == HEXAHEDRON_TYPE).all():
+        add_type(out, rows, CELL_TYPES[HEXAHEDRON_TYPE], HEXAHEDRON_TYPE, np.arange(len(rows.starts)), None)
+        return None
+    types = declared_types(out, rows)
+    chosen = {number: np.flatnonzero(types == number) for number in np.unique(types).tolist()}
+    kept_numbers = [n for n in chosen if n in CELL_TYPES and CELL_TYPES[n].kind is not None]
+    for number in chosen:
+        if number not in kept_numbers:
+            name = CELL_TYPES[number].name if number in CELL_TYPES else f"cells of type {number}"
+            out.leave_out(name, len(chosen[number]))
+    everything = len(kept_numbers) == len(chosen)
+    kept = (
+        None
+        if everything
+        else np.sort(np.concatenate([chosen[n] for n in kept_numbers] or [np.empty(0, np.intp)]))
+    )
+    for number in kept_numbers:
+        which = chosen[number]
+        places: Array | None = None
+        if len(kept_numbers) > 1:
+            places = which if kept is None else np.searchsorted(kept, which)
+        add_type(out, rows, CELL_TYPES[number], number, which, places)
+    return kept
+
+
+def declared_types(out: Assembly, rows: Rows) -> Array:
+    """(C,) types, with the rows of eight that are called something else set to hexahedron."""
+    if rows.types is None:
+        out.note(
+            "The cells have no types: rows of 8, 6, 5 and 4 corners are taken as hexahedra, wedges, pyramids "
+            "and tetrahedra."
+        )
+        guessed: Array = np.zeros(len(rows.sizes), dtype=np.uint8)
+        for size, number in ((8, HEXAHEDRON_TYPE), (6, 13), (5, 14), (4, 10)):
+            guessed[rows.sizes == size] = number
+        return guessed
+    types: Array = rows.types
+    eight = rows.sizes == 8
+    volumetric = False
+    doubtful = []
+    for number in np.unique(types[eight]).tolist():
+        row = CELL_TYPES.get(number)
+        if row is not None and row.kind == HEXAHEDRON and row.size in (8, 0):
+            volumetric = True
+        elif row is not None and row.kind is None and row.size in (8, 0) and number != 0:
+            doubtful.append(number)
+        else:
+            types = renamed(out, types, eight, number)
+    others = [n for n in np.unique(types).tolist() if n in CELL_TYPES and CELL_TYPES[n].kind is not None]
+    if not volumetric and not others:
+        for number in doubtful:
+            types = renamed(out, types, eight, number)
+    return types
+
+
+def renamed(out: Assembly, types: Array, eight: NDArray[np.bool_], number: int) -> Array:
+    """The types with the rows of eight of that number made hexahedra, and a note."""
+    wrong = eight & (types == number)
+    name = CELL_TYPES[number].name if number in CELL_TYPES else "an unknown type"
+    out.note(
+        f"{int(wrong.sum())} cells have 8 corners but are declared as type {number} ({name}): "
+        "they are taken as hexahedra."
+    )
+    return np.where(wrong, HEXAHEDRON_TYPE, types)
+
+
+def add_type(
+    out: Assembly, rows: Rows, cell_type: CellType, number: int, which: Array, places: Array | None
+) -> None:
+    """Add the rows `which`, all of one type."""
+    assert cell_type.kind is not None
+    sizes = rows.sizes[which] if not rows.uniform else np.array([rows.uniform])
+    bad = sizes != cell_type.size if cell_type.size else sizes < len(cell_type.order)
+    if bad.any():
+        first = int(np.argmax(bad))
+        expected = f"{cell_type.size}" if cell_type.size else f"at least {len(cell_type.order)}"
+        raise rows.error_at(
+            f"cell {int(which[first])} is declared as type {number} ({cell_type.name}) but has "
+            f"{int(sizes[first])} corners, expected {expected}",
+            int(rows.starts[which[first]]),
+        )
+    if cell_type.higher:
+        out.note(f"Cells of higher order ({cell_type.name}) are shown by their corners.")
+    order = cell_type.order
+
+    def locate(message: str, cell: int, corner: int) -> MeshReadError:
+        return rows.error_at(message, int(rows.starts[which[cell]]) + order[corner])
+
+    block = CellBlock(cell_type.kind, gathered(rows, which, order), locate, cells=places)
+    if number == VOXEL and out.coordinates is not None:
+        check_ids(block, out.coordinates.shape[1])
+        if written_as_hexahedra(block.corners, out.coordinates):
+            block.corners = block.corners[[0, 1, 3, 2, 4, 5, 7, 6]]
+            out.note("The voxels have their corners in the order of hexahedra and were read in that order.")
+    out.blocks.append(block)
+
+
+def gathered(rows: Rows, which: Array, order: tuple[int, ...]) -> Ids:
+    """(k, n) int32 own corners of the rows `which`; ids that don't fit int32 stay out of range."""
+    count = len(which)
+    out = np.empty((len(order), count), dtype=np.int32)
+    step = int(rows.starts[1] - rows.starts[0]) if rows.uniform and count > 1 else 0
+    whole = step > 0 and count == len(rows.starts)
+    wide = rows.ids.dtype.itemsize > 4 or rows.ids.dtype.kind == "u"
+    for start in range(0, count, CHUNK):
+        part = slice(start, min(start + CHUNK, count))
+        if whole:
+            first = int(rows.starts[part.start])
+            table = rows.ids[first : first + step * (part.stop - part.start - 1) + rows.uniform]
+            table = np.lib.stride_tricks.as_strided(
+                table, (part.stop - part.start, rows.uniform), (step * table.itemsize, table.itemsize)
+            )
+            table = table.astype(table.dtype.newbyteorder("="))
+            source = [table[:, own] for own in order]
+        else:
+            begin = rows.starts[which[part]]
+            source = [rows.ids[begin + own].astype(rows.ids.dtype.newbyteorder("=")) for own in order]
+        for corner, values in zip(out, source, strict=True):
+            corner[part] = np.clip(values, -(2**31) + 1, 2**31 - 1) if wide else values
+    return out
+
+
+def written_as_hexahedra(corners: Ids, coordinates: Floats) -> bool:
+    """Whether voxels, put into hexahedral order, have less volume than as they were written.
+
+    A voxel in the wrong order is a bow tie: its Jacobian at the centre is zero.
+    """
+    corners = corners[:, :VOXEL_SAMPLE]
+    as_voxels = np.abs(central_jacobian(corners, coordinates)).sum()
+    as_written = np.abs(central_jacobian(corners[[0, 1, 3, 2, 4, 5, 7, 6]], coordinates)).sum()
+    return bool(as_written > as_voxels)
+
+
+def central_jacobian(corners: Ids, coordinates: Floats) -> Floats:
+    """(C,) determinant of the trilinear map's derivatives at each cell's centre, times 64."""
+    p = coordinates[:, corners]
+    u = p[:, [1, 2, 5, 6]].sum(axis=1) - p[:, [0, 3, 4, 7]].sum(axis=1)
+    v = p[:, [2, 3, 6, 7]].sum(axis=1) - p[:, [0, 1, 4, 5]].sum(axis=1)
+    w = p[:, 4:].sum(axis=1) - p[:, :4].sum(axis=1)
+    with np.errstate(over="ignore", invalid="ignore"):
+        return np.asarray(
+            u[0] * (v[1] * w[2] - v[2] * w[1])
+            + u[1] * (v[2] * w[0] - v[0] * w[2])
+            + u[2] * (v[0] * w[1] - v[1] * w[0])
+        )

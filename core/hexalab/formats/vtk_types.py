@@ -1,0 +1,123 @@
+"""VTK's cell types and number types, as rows of data (vtkCellType.h, vtkType.h)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..mesh import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
+
+
+@dataclass(frozen=True)
+class CellType:
+    """One of VTK's cell types.
+
+    Parameters
+    ----------
+    name : str
+        Plural, for messages.
+    size : int
+        Corners of a cell; 0 if they differ from cell to cell.
+    kind : int or None
+        Index into KINDS if the cell is kept; its own corners then stand first.
+    order : tuple of int
+        Which of the row's corners are the kind's own, in its order.
+    higher : bool
+        Whether it has more nodes than corners.
+    """
+
+    name: str
+    size: int
+    kind: int | None = None
+    order: tuple[int, ...] = ()
+    higher: bool = False
+
+
+def _kept(name: str, size: int, kind: int) -> CellType:
+    corners = (8, 6, 5, 4)[kind]
+    return CellType(name, size, kind, tuple(range(corners)), size != corners)
+
+
+VOXEL = 11
+HEXAHEDRON_TYPE = 12
+
+CELL_TYPES = {
+    0: CellType("empty cells", 0),
+    1: CellType("points", 1),
+    2: CellType("poly-vertices", 0),
+    3: CellType("lines", 2),
+    4: CellType("polylines", 0),
+    5: CellType("triangles", 3),
+    6: CellType("triangle strips", 0),
+    7: CellType("polygons", 0),
+    8: CellType("pixels", 4),
+    9: CellType("quadrilaterals", 4),
+    10: _kept("tetrahedra", 4, TETRAHEDRON),
+    VOXEL: CellType("voxels", 8, HEXAHEDRON, (0, 1, 3, 2, 4, 5, 7, 6)),
+    HEXAHEDRON_TYPE: _kept("hexahedra", 8, HEXAHEDRON),
+    13: _kept("wedges", 6, WEDGE),
+    14: _kept("pyramids", 5, PYRAMID),
+    15: CellType("pentagonal prisms", 10),
+    16: CellType("hexagonal prisms", 12),
+    21: CellType("quadratic edges", 3),
+    22: CellType("quadratic triangles", 6),
+    23: CellType("quadratic quadrilaterals", 8),
+    24: _kept("quadratic tetrahedra", 10, TETRAHEDRON),
+    25: _kept("quadratic hexahedra", 20, HEXAHEDRON),
+    26: _kept("quadratic wedges", 15, WEDGE),
+    27: _kept("quadratic pyramids", 13, PYRAMID),
+    28: CellType("biquadratic quadrilaterals", 9),
+    29: _kept("triquadratic hexahedra", 27, HEXAHEDRON),
+    30: CellType("quadratic-linear quadrilaterals", 6),
+    31: _kept("quadratic-linear wedges", 12, WEDGE),
+    32: _kept("biquadratic wedges", 18, WEDGE),
+    33: _kept("biquadratic hexahedra", 24, HEXAHEDRON),
+    34: CellType("biquadratic triangles", 7),
+    35: CellType("cubic lines", 4),
+    36: CellType("quadratic polygons", 0),
+    37: _kept("triquadratic pyramids", 19, PYRAMID),
+    41: CellType("convex point sets", 0),
+    42: CellType("polyhedra", 0),
+    68: CellType("Lagrange curves", 0),
+    69: CellType("Lagrange triangles", 0),
+    70: CellType("Lagrange quadrilaterals", 0),
+    71: _kept("Lagrange tetrahedra", 0, TETRAHEDRON),
+    72: _kept("Lagrange hexahedra", 0, HEXAHEDRON),
+    73: _kept("Lagrange wedges", 0, WEDGE),
+    74: _kept("Lagrange pyramids", 0, PYRAMID),
+    75: CellType("Bezier curves", 0),
+    76: CellType("Bezier triangles", 0),
+    77: CellType("Bezier quadrilaterals", 0),
+    78: _kept("Bezier tetrahedra", 0, TETRAHEDRON),
+    79: _kept("Bezier hexahedra", 0, HEXAHEDRON),
+    80: _kept("Bezier wedges", 0, WEDGE),
+    81: _kept("Bezier pyramids", 0, PYRAMID),
+}
+
+NUMBER_TYPES = {
+    "char": "i1",
+    "signed_char": "i1",
+    "unsigned_char": "u1",
+    "short": "i2",
+    "unsigned_short": "u2",
+    "int": "i4",
+    "unsigned_int": "u4",
+    "long": "i8",
+    "unsigned_long": "u8",
+    "long_long": "i8",
+    "unsigned_long_long": "u8",
+    "float": "f4",
+    "double": "f8",
+    "vtkidtype": "i4",
+    "vtktypeint8": "i1",
+    "vtktypeuint8": "u1",
+    "vtktypeint16": "i2",
+    "vtktypeuint16": "u2",
+    "vtktypeint32": "i4",
+    "vtktypeuint32": "u4",
+    "vtktypeint64": "i8",
+    "vtktypeuint64": "u8",
+    "vtktypefloat32": "f4",
+    "vtktypefloat64": "f8",
+}
+"""Number types of the legacy format, in lower case. `vtkIdType` is written as 32 bits by VTK
+(vtkDataWriter)."""

@@ -1,0 +1,134 @@
+"""Blocks of numbers in a legacy `.vtk` file, ASCII or big-endian binary."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import MeshReadError
+from ..mesh import Array
+from .text import Text, shown
+from .vtk_types import NUMBER_TYPES
+
+ErrorAt = Callable[[str, int], MeshReadError]
+"""Makes the error for a message about the number with that index in a block."""
+
+
+class Values:
+    """Takes blocks of numbers from the text's present position.
+
+    Parameters
+    ----------
+    text : Text
+        The file.
+    binary : bool
+        Whether blocks are binary; then each begins right after the line that announces it.
+    """
+
+    def __init__(self, text: Text, binary: bool) -> None:
+        self.text = text
+        self.binary = binary
+
+    def begin(self) -> None:
+        """Go to where the numbers begin, from behind the words that announce them."""
+        if self.binary:
+            start = self.text.position
+            rest = self.text.line()
+            if rest.strip():
+                raise self.text.error(f"{shown(rest.strip())} stands where the line should end", start)
+
+    def number_type(self, word: bytes) -> str:
+        """numpy's code for a VTK number type, without byte order; "bit" and "string" stay."""
+        name = word.decode("latin-1").lower()
+        if name in ("bit", "string", "utf8_string"):
+            return "bit" if name == "bit" else "string"
+        if name not in NUMBER_TYPES:
+            raise self.text.error(f"{shown(word)} stands where a type of numbers was expected, such as float")
+        return NUMBER_TYPES[name]
+
+    def take(self, count: int, code: str, what: str) -> tuple[Array, ErrorAt]:
+        """Take `count` numbers.
+
+        Returns
+        -------
+        values : (count,) array
+            In the file's number type; binary ones are a big-endian view of the file's bytes.
+        error_at : callable
+            Makes errors about one of them.
+        """
+        start = self.text.position
+        if self.binary:
+            return self.take_binary(count, code, what, start)
+        if code == "i4":
+            values: Array = self.text.ids(count, what)
+        elif code in ("f4", "f8"):
+            values = self.text.numbers(count, np.float64, what).astype(code, copy=False)
+        else:
+            values = self.text.numbers(count, np.int64, what)
+            values = values.astype("u1" if code == "bit" else code, copy=False)
+
+        return values, self.text_error(start)
+
+    def text_error(self, start: int) -> ErrorAt:
+        """`error_at` for the block of text that begins at the byte `start`."""
+
+        def error_at(message: str, index: int) -> MeshReadError:
+            return self.text.error(message, self.text.number_offset(start, index))
+
+        return error_at
+
+    def take_binary(self, count: int, code: str, what: str, start: int) -> tuple[Array, ErrorAt]:
+        """`take` for a binary file."""
+        data = self.text.data
+        dtype = np.dtype(">u1" if code == "bit" else f">{code}")
+        size = (count + 7) // 8 if code == "bit" else count * dtype.itemsize
+        if count < 0 or size > len(data) - start:
+            raise self.text.source.error(
+                f"{what} should be {size} bytes, but the file has only {len(data) - start} more: it is cut "
+                "short or the number is wrong",
+                offset=start,
+            )
+        self.text.position = start + size
+        values: NDArray[Any] = np.frombuffer(data, dtype, size // dtype.itemsize, start)
+        if code == "bit":
+            values = np.unpackbits(values)[:count]
+
+        def error_at(message: str, index: int) -> MeshReadError:
+            return self.text.source.error(message, offset=start + index * dtype.itemsize)
+
+        return values, error_at
+
+    def skip_strings(self, count: int) -> None:
+        """Go behind `count` strings: lines in ASCII, else each behind its length (vtkDataWriter)."""
+        text, data = self.text, self.text.data
+        if not self.binary:
+            text.line()
+        for _ in range(count):
+            if text.position >= len(data):
+                raise text.error(f"the file ends in an array of {count} strings")
+            if not self.binary:
+                text.line()
+                continue
+            size = (8, 4, 2, 1)[data[text.position] >> 6]
+            head = int.from_bytes(data[text.position : text.position + size], "big")
+            text.position += size + (head & ((1 << (8 * size - 2)) - 1))
+
+
+def decoded(name: bytes) -> str:
+    """An array's name, without VTK's percent codes."""
+    parts = name.split(b"%")
+    out = [parts[0]]
+    for part in parts[1:]:
+        try:
+            out.append(bytes([int(part[:2], 16)]) + part[2:])
+        except ValueError:
+            out.append(b"%" + part)
+    return b"".join(out).decode("utf-8", "replace")
+
+
+def native(values: Array) -> Array:
+    """The values in this machine's byte order."""
+    return values.astype(values.dtype.newbyteorder("="), copy=False)
