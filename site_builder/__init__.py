@@ -1,0 +1,1 @@
+"""The site builder: YAML and meshes in, static pages out."""

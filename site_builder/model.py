@@ -1,0 +1,213 @@
+"""The repository as the builder knows it: sources, their meshes, and what is wrong with them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+from urllib.parse import quote
+
+from .facts import Facts
+from .names import doi_address, ending
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Something wrong in the repository, and where: an ``error`` stops a build, a ``warning`` a strict one."""
+
+    severity: str
+    file: str
+    line: int
+    field: str
+    message: str
+
+    def __str__(self) -> str:
+        place = f"{self.file}:{self.line}" if self.line else self.file
+        what = f"{self.field}: {self.message}" if self.field else self.message
+        return f"{place}: {what}"
+
+
+@dataclass(eq=False)
+class MeshEntry:
+    """One mesh of a source.
+
+    Parameters
+    ----------
+    kind : "file" | "url" | "made"
+        In the source's folder, elsewhere on the web, or made at build time.
+    path : str
+        As source.yaml names it, without percent-encoding: the file's path in its source.
+    key : str
+        As source.yaml names it, letter for letter.
+    remote : str
+        Absolute address of a remote file, "" for others.
+    local : Path or None
+        The file on this disk, once it is there.
+    """
+
+    source: Source
+    slug: str
+    name: str
+    kind: str
+    path: str
+    key: str
+    description: str = ""
+    remote: str = ""
+    local: Path | None = None
+    declared_sha256: str | None = None
+    declared_cells: int | None = None
+    facts: Facts = field(default_factory=Facts)
+    line: int = 0
+
+    @property
+    def id(self) -> str:
+        """``source-slug/mesh-slug``: how the viewer's address names the mesh."""
+        return f"{self.source.slug}/{self.slug}"
+
+    @property
+    def page(self) -> str:
+        """Address of the mesh's page below the site's root."""
+        return f"sources/{self.id}/"
+
+    @property
+    def file_address(self) -> str:
+        """Address of the mesh file: absolute if remote, else below the site's root."""
+        return self.remote or quote(f"meshes/{self.source.slug}/{self.path}")
+
+    @property
+    def preview_address(self) -> str:
+        """Address of the preview below the site's root."""
+        return f"meshes/{self.id}.preview"
+
+    @property
+    def picture_address(self) -> str:
+        """Address of the thumbnail below the site's root."""
+        return f"pictures/{self.id}.png"
+
+    @property
+    def file_name(self) -> str:
+        """The last part of the file's path."""
+        return self.path.rsplit("/", 1)[-1]
+
+    @property
+    def format(self) -> str:
+        """The format's name by the file's ending."""
+        return ending(self.path)
+
+    @property
+    def cells(self) -> int | None:
+        """Number of cells, as measured or else as declared."""
+        return self.facts.cells if self.facts.cells is not None else self.declared_cells
+
+    @property
+    def sha256(self) -> str | None:
+        """Of the file, as measured or else as declared."""
+        return self.facts.sha256 or self.declared_sha256
+
+
+@dataclass(eq=False)
+class Source:
+    """A paper or a collection, with its meshes.
+
+    Parameters
+    ----------
+    reference : dict
+        A CSL-JSON item.
+    index_path : str
+        Its folder in the original HexaLab's index, "" if it has none.
+    """
+
+    slug: str
+    folder: Path
+    reference: dict[str, Any]
+    licence: str
+    licence_note: str = ""
+    description: str = ""
+    arxiv: str = ""
+    pdf: str = ""
+    web: str = ""
+    index_path: str = ""
+    contributors: list[str] = field(default_factory=list)
+    meshes: list[MeshEntry] = field(default_factory=list)
+
+    @property
+    def page(self) -> str:
+        """Address of the source's page below the site's root."""
+        return f"sources/{self.slug}/"
+
+    @property
+    def title(self) -> str:
+        """The paper's title."""
+        return str(self.reference["title"])
+
+    @property
+    def year(self) -> int:
+        """Of publication."""
+        return int(self.reference["issued"]["date-parts"][0][0])
+
+    @property
+    def doi(self) -> str:
+        """The DOI, bare; "" if there is none."""
+        return str(self.reference.get("DOI", ""))
+
+    @property
+    def doi_address(self) -> str:
+        """Where the DOI resolves; "" if there is none."""
+        return doi_address(self.doi) if self.doi else ""
+
+    @property
+    def authors(self) -> list[str]:
+        """Names as they are read: given name first."""
+        return [display_name(author) for author in self.reference["author"]]
+
+    @property
+    def venue(self) -> str:
+        """Where it appeared: "Computer Graphics Forum 30(5), 1407-1416"."""
+        item = self.reference
+        text = str(item.get("container-title") or item.get("publisher") or "")
+        volume, issue, page = (str(item.get(key, "")) for key in ("volume", "issue", "page"))
+        if volume:
+            text += f" {volume}" + (f"({issue})" if issue else "")
+        if page:
+            text += f", {page.replace('-', '–')}"
+        return text
+
+    @property
+    def own(self) -> bool:
+        """Whether its meshes lie in the repository."""
+        return all(mesh.kind != "url" for mesh in self.meshes)
+
+    @property
+    def belongs_to_authors(self) -> bool:
+        """Whether nothing but reading is granted."""
+        return self.licence == "authors"
+
+
+@dataclass(eq=False)
+class Catalogue:
+    """All sources, what the catalogue says of itself, and the problems found while reading."""
+
+    root: Path
+    title: str = "HexaLab"
+    description: str = ""
+    address: str = ""
+    publisher: str = ""
+    sources: list[Source] = field(default_factory=list)
+    problems: list[Problem] = field(default_factory=list)
+
+    @property
+    def meshes(self) -> list[MeshEntry]:
+        """Of all sources, in order."""
+        return [mesh for source in self.sources for mesh in source.meshes]
+
+    @property
+    def errors(self) -> list[Problem]:
+        """Problems that stop a build."""
+        return [problem for problem in self.problems if problem.severity == "error"]
+
+
+def display_name(author: dict[str, str]) -> str:
+    """A CSL name as it is read: given name first."""
+    return author.get("literal") or " ".join(
+        part for part in (author.get("given"), author.get("family")) if part
+    )

@@ -1,0 +1,299 @@
+"""Reading `repository/`: every source.yaml, checked against its schema and against the files beside it."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+from typing import Any
+from urllib.parse import quote, unquote, urljoin
+
+from jsonschema import Draft202012Validator
+from jsonschema.exceptions import ValidationError, best_match
+
+from .documents import Document, DocumentError, FieldPath, field_name, read_yaml
+from .facts import Facts, read_published
+from .model import Catalogue, MeshEntry, Problem, Source
+from .names import ending, mesh_name, slug
+
+LARGEST_FILE = 25_000_000
+"""Bytes of a mesh file in the repository; what a browser may upload to the code host."""
+
+FACTS_FILE = "facts.json"
+_SLUG = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
+
+
+@cache
+def schema(name: str) -> dict[str, Any]:
+    """The JSON Schema of a document: "source" or "catalogue"."""
+    text = (Path(__file__).parent / "schemas" / f"{name}.schema.json").read_text("utf-8")
+    return dict(json.loads(text))
+
+
+def read_repository(root: Path) -> Catalogue:
+    """Read all sources below a folder; what is wrong with them is in the catalogue's ``problems``."""
+    catalogue = Catalogue(root)
+    if not root.is_dir():
+        catalogue.problems.append(Problem("error", str(root), 0, "", "no such folder"))
+        return catalogue
+    _read_front(catalogue)
+    for folder in sorted(entry for entry in root.iterdir() if entry.is_dir()):
+        if folder.name.startswith((".", "_")) or (folder / "__init__.py").exists():
+            continue
+        source = read_source(folder, catalogue.problems, root)
+        if source:
+            catalogue.sources.append(source)
+    _check_unique(catalogue)
+    catalogue.sources.sort(key=lambda source: (not source.own, -source.year, source.title.lower()))
+    return catalogue
+
+
+def _read_front(catalogue: Catalogue) -> None:
+    file = catalogue.root / "catalogue.yaml"
+    if not file.exists():
+        return
+    document = _checked(file, "catalogue", catalogue.problems, catalogue.root)
+    if document:
+        for key, value in document.data.items():
+            setattr(catalogue, key, value)
+
+
+def read_source(folder: Path, problems: list[Problem], root: Path | None = None) -> Source | None:
+    """Read one source's folder; None, and problems, if source.yaml can't be understood."""
+    root = root or folder.parent
+    file = folder / "source.yaml"
+    if not _SLUG.fullmatch(folder.name):
+        message = (
+            f"the folder's name must be lower-case letters, digits and hyphens, as {slug(folder.name)!r}"
+        )
+        problems.append(Problem("error", _shown(folder, root), 0, "", message))
+    if not file.exists():
+        problems.append(Problem("error", _shown(folder, root), 0, "", "no source.yaml in this folder"))
+        return None
+    document = _checked(file, "source", problems, root)
+    if document is None:
+        return None
+    data = document.data
+    source = Source(
+        slug=slug(folder.name),
+        folder=folder,
+        reference=_csl_item(slug(folder.name), data["reference"]),
+        licence=data["licence"],
+        licence_note=data.get("licence_note", ""),
+        description=data.get("description", ""),
+        arxiv=data["reference"].get("arXiv", ""),
+        pdf=data.get("links", {}).get("pdf", ""),
+        web=data.get("links", {}).get("web", ""),
+        index_path=data.get("index_path", ""),
+        contributors=data.get("contributors", []),
+    )
+    published = _published_facts(folder, problems, root)
+    for index, row in enumerate(data["meshes"]):
+        mesh = _mesh(source, row, data.get("base_url", ""))
+        mesh.line = document.line(("meshes", index))
+        for path, message in _mesh_problems(mesh, index):
+            problems.append(_problem("error", document, path, message, root))
+        mesh.facts = published.pop(mesh.key, None) or Facts()
+        if mesh.facts.sha256 and mesh.declared_sha256 not in (None, mesh.facts.sha256):
+            message = f"{mesh.declared_sha256} here, but {mesh.facts.sha256} in {FACTS_FILE}"
+            problems.append(_problem("error", document, ("meshes", index, "sha256"), message, root))
+        source.meshes.append(mesh)
+    for key in published:
+        message = f"{key!r} is no url of a mesh in source.yaml"
+        problems.append(Problem("error", _shown(folder / FACTS_FILE, root), 0, "meshes", message))
+    _check_slugs(source, document, problems, root)
+    return source
+
+
+def _checked(file: Path, kind: str, problems: list[Problem], root: Path) -> Document | None:
+    """Read a YAML file and check it against its schema; None if it can't be used."""
+    try:
+        document = read_yaml(file)
+    except DocumentError as error:
+        problems.append(Problem("error", _shown(file, root), error.line, error.field, error.message))
+        return None
+    found = list(schema_problems(document, kind))
+    problems.extend(_problem("error", document, path, message, root) for path, message in found)
+    return None if found else document
+
+
+def schema_problems(document: Document, kind: str) -> Iterator[tuple[FieldPath, str]]:
+    """What a document's schema has against it, in the order of the file: field and message."""
+    errors = [_deepest(error) for error in Draft202012Validator(schema(kind)).iter_errors(document.data)]
+    for error in sorted(errors, key=lambda error: document.line(tuple(error.absolute_path))):
+        yield tuple(error.absolute_path), _explain(error)
+
+
+def _deepest(error: ValidationError) -> ValidationError:
+    """The error that tells most, where several forms were allowed."""
+    if error.validator in ("anyOf", "oneOf") and error.context:
+        inner = best_match(error.context)
+        if inner is not None and tuple(inner.absolute_path) != tuple(error.absolute_path):
+            return inner
+    return error
+
+
+def _explain(error: ValidationError) -> str:
+    found = json.dumps(error.instance, ensure_ascii=False, default=str)
+    found = found if len(found) <= 80 else found[:77] + "..."
+    wanted = error.validator_value
+    match error.validator:
+        case "type":
+            words = {"string": "text", "object": "a mapping", "array": "a list", "integer": "a whole number"}
+            hint = "; put it in quotes" if wanted == "string" and isinstance(error.instance, int) else ""
+            return f"found {found}, expected {words.get(str(wanted), str(wanted))}{hint}"
+        case "required":
+            missing = [name for name in wanted if name not in error.instance]
+            return f"missing: {', '.join(missing)}"
+        case "additionalProperties":
+            known = error.schema.get("properties", {})
+            unknown = [name for name in error.instance if name not in known]
+            return f"unknown: {', '.join(unknown)}; known are {', '.join(known)}"
+        case "pattern":
+            return f"found {found}, expected {_PATTERNS.get(wanted, 'the form ' + str(wanted))}"
+        case "enum":
+            return f"found {found}, expected one of {', '.join(map(str, wanted))}"
+        case "oneOf" if "required" in str(wanted):
+            keys = [option["required"][0] for option in wanted if "required" in option]
+            return f"found {found}, expected exactly one of {', '.join(keys)}" if keys else error.message
+        case "minLength" | "minItems":
+            return f"found {found}, expected at least {wanted} {_unit(error)}"
+        case "maxLength" | "maxItems":
+            return f"found {len(error.instance)} {_unit(error)}, expected at most {wanted}"
+        case "minimum" | "maximum":
+            return (
+                f"found {found}, expected at {'least' if error.validator == 'minimum' else 'most'} {wanted}"
+            )
+    return f"found {found}: {error.message}"
+
+
+def _unit(error: ValidationError) -> str:
+    return "characters" if str(error.validator).endswith("Length") else "entries"
+
+
+_PATTERNS = {
+    schema("source")["$defs"]["address"]["pattern"]: "an address that starts with https:// or http://",
+    schema("source")["$defs"]["line"]["pattern"]: "one line of text",
+    schema("source")["properties"]["base_url"]["pattern"]: "an address that ends in a slash",
+    schema("source")["$defs"]["mesh"]["properties"]["sha256"][
+        "pattern"
+    ]: "64 hexadecimal digits in lower case",
+    schema("source")["$defs"]["mesh"]["properties"]["slug"]["pattern"]: "lower-case letters, digits, hyphens",
+    schema("source")["$defs"]["reference"]["properties"]["DOI"][
+        "pattern"
+    ]: "a bare DOI like 10.1111/cgf.13617",
+    schema("source")["$defs"]["reference"]["properties"]["arXiv"]["pattern"]: "an arXiv id like 1901.00238",
+}
+
+
+def _csl_item(source_slug: str, reference: dict[str, Any]) -> dict[str, Any]:
+    """The reference as CSL-JSON: dates in parts, numbers as text, arXiv's id in CSL's own fields."""
+    item: dict[str, Any] = {"id": source_slug, **reference}
+    item["issued"] = {"date-parts": [[int(part) for part in str(reference["issued"]).split("-")]]}
+    for key in ("volume", "issue", "page", "number", "version"):
+        if key in item:
+            item[key] = str(item[key])
+    arxiv = item.pop("arXiv", "")
+    if arxiv and "DOI" not in item:
+        item.setdefault("publisher", "arXiv")
+        item.setdefault("number", f"arXiv:{arxiv}")
+        item.setdefault("URL", f"https://arxiv.org/abs/{arxiv}")
+    return item
+
+
+def _mesh(source: Source, row: dict[str, Any], base: str) -> MeshEntry:
+    kind = next(kind for kind in ("file", "url", "made") if kind in row)
+    key = row[kind]
+    path = unquote(key.split("?")[0]) if kind == "url" else key
+    if kind == "url" and "://" in key:
+        path = path.rsplit("/", 1)[-1]
+    remote = urljoin(base, quote(key, safe="/%:?&=#+,;@!$'()*~-._")) if kind == "url" else ""
+    return MeshEntry(
+        source=source,
+        slug=row.get("slug") or slug(mesh_name(path)) or "mesh",
+        name=row.get("name") or mesh_name(path),
+        kind=kind,
+        path=path,
+        key=key,
+        description=row.get("description", ""),
+        remote=remote,
+        local=source.folder / path if kind == "file" else None,
+        declared_sha256=row.get("sha256"),
+        declared_cells=row.get("cells"),
+    )
+
+
+def _mesh_problems(mesh: MeshEntry, index: int) -> Iterator[tuple[FieldPath, str]]:
+    """What is wrong with one row of `meshes`, beyond its schema."""
+    here: FieldPath = ("meshes", index, mesh.kind)
+    if not ending(mesh.path):
+        yield here, f"{mesh.path!r} doesn't end as a mesh format that is read here"
+    if mesh.kind == "url":
+        if not mesh.remote.startswith(("https://", "http://")):
+            yield here, f"{mesh.key!r} is no web address and there is no base_url to put before it"
+        return
+    parts = mesh.path.split("/")
+    if mesh.path.startswith("/") or "\\" in mesh.path or any(part in ("", ".", "..") for part in parts):
+        yield here, f"{mesh.path!r} must be a plain path inside the source's folder"
+        return
+    if mesh.kind == "made":
+        if not (mesh.source.folder / "make.py").exists():
+            yield here, "there is no make.py beside source.yaml that could make it"
+        return
+    file = mesh.source.folder / mesh.path
+    if any(place.is_symlink() for place in (file, *file.parents[: len(parts) - 1])):
+        yield here, f"{mesh.path!r} is a symbolic link"
+    elif not file.is_file():
+        yield here, f"there is no file {mesh.path!r} beside source.yaml"
+    elif file.stat().st_size > LARGEST_FILE:
+        size = file.stat().st_size
+        yield (
+            here,
+            f"{size:,} bytes, but at most {LARGEST_FILE:,} may lie in the repository; compress it with gzip",
+        )
+
+
+def _published_facts(folder: Path, problems: list[Problem], root: Path) -> dict[str, Facts]:
+    file = folder / FACTS_FILE
+    if not file.exists():
+        return {}
+    try:
+        return read_published(file)
+    except (ValueError, TypeError, KeyError, AttributeError) as error:
+        problems.append(Problem("error", _shown(file, root), 0, "", f"not a table of facts: {error}"))
+        return {}
+
+
+def _check_slugs(source: Source, document: Document, problems: list[Problem], root: Path) -> None:
+    first: dict[str, MeshEntry] = {}
+    for index, mesh in enumerate(source.meshes):
+        other = first.setdefault(mesh.slug, mesh)
+        if other is not mesh:
+            message = (
+                f"the slug {mesh.slug!r} is taken by {other.path!r} (line {other.line}); give it a `slug`"
+            )
+            problems.append(_problem("error", document, ("meshes", index), message, root))
+
+
+def _check_unique(catalogue: Catalogue) -> None:
+    first: dict[str, Source] = {}
+    for source in catalogue.sources:
+        other = first.setdefault(source.doi.lower() or source.slug, source)
+        if other is not source:
+            message = f"the DOI {source.doi} is taken by {other.slug}"
+            file = _shown(source.folder / "source.yaml", catalogue.root)
+            catalogue.problems.append(Problem("error", file, 0, "reference.DOI", message))
+
+
+def _problem(severity: str, document: Document, path: FieldPath, message: str, root: Path) -> Problem:
+    return Problem(severity, _shown(document.file, root), document.line(path), field_name(path), message)
+
+
+def _shown(file: Path, root: Path) -> str:
+    """A file as it is named in messages: below the repository's folder."""
+    try:
+        return file.relative_to(root).as_posix()
+    except ValueError:
+        return str(file)
