@@ -14,6 +14,10 @@ from .ids import LARGEST_ID
 from .source import Source
 
 
+WEDGE_OF_OTHERS = (0, 2, 1, 3, 5, 4)
+"""VTK's wedge from the corners of Medit, Gmsh and Abaqus, whose triangle 0 1 2 is seen from the other side."""
+
+
 @dataclass
 class CellBlock:
     """Cells of one kind, in file order.

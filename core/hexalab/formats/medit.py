@@ -16,7 +16,7 @@ from ..errors import MeshReadError
 from ..mesh import Array, Ids, Mesh
 from .assembly import Assembly, CellBlock, check_finite
 from .ids import within_int32
-from .medit_keywords import CELLS, SKIPPED, SURFACE
+from .medit_keywords import CELLS, ORDERS, SKIPPED, SURFACE
 from .source import Source
 from .text import NUMBER, Interrupted, Text, shown
 
@@ -143,7 +143,8 @@ class Reader:
 
     def cell_rows(self, keyword: str, count: int, width: int) -> tuple[Ids, Ids]:
         """(own corners, count) zero-based and (count,) references, int32."""
-        _, own, row = CELLS[keyword]
+        kind, own, row = CELLS[keyword]
+        order = ORDERS.get(kind)
         self.check_room(count, width, 2 * row + 1 - width, keyword.capitalize())
         corners = np.empty((own, count), dtype=np.int32)
         references = np.zeros(count, dtype=np.int32)
@@ -152,7 +153,7 @@ class Reader:
             np.subtract(rows[:, :own].T, 1, out=corners[:, part], casting="unsafe")
             if width > row:
                 references[part] = rows[:, row]
-        return corners, references
+        return corners if order is None else corners[list(order)], references
 
     def guess(self, width: int) -> int:
         """The width if the next line has as many numbers or more than one row, else one less."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..mesh import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
+from .assembly import WEDGE_OF_OTHERS
 
 CELLS = {
     "hexahedra": (HEXAHEDRON, 8, 8),
@@ -26,6 +27,9 @@ CELLS = {
     "hexahedraq4": (HEXAHEDRON, 8, 125),
 }
 """Section in lower case: kind, corners, vertices in a row (without the reference)."""
+
+ORDERS = {WEDGE: WEDGE_OF_OTHERS}
+"""Where a kind's own corners stand in a row, if not in VTK's order."""
 
 SURFACE = {"triangles": "triangles", "quadrilaterals": "quadrilaterals", "quads": "quadrilaterals"}
 """Sections of faces: skipped, but told of where nothing else is there."""
