@@ -12,12 +12,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..mesh import FACES, Array, Ids
+from .edges import FACE_EDGES, Edges, cells_around, find_edges, repeating_cells
 from .faces import Faces, find_faces
+from .hops import components, depth
 from .interface import Interface, InterfaceFinder
 
-__all__ = ["Faces", "Interface", "Topology"]
+__all__ = ["FACE_EDGES", "Edges", "Faces", "Interface", "Topology"]
 
 _FACE_PLACES = np.array(FACES, dtype=np.intp)
+_EDGE_PLACES = np.array(FACE_EDGES, dtype=np.intp)
 
 
 class Topology:
@@ -156,3 +159,104 @@ class Topology:
     def interface(self, shown: NDArray[np.bool_]) -> Interface:
         """The faces with exactly one shown side; quick where few cells changed since the last call."""
         return self._interface_finder.find(shown)
+
+    @cached_property
+    def edges(self) -> Edges:
+        """All edges as arrays."""
+        return find_edges(self.corners, self.vertex_count)
+
+    @property
+    def edge_count(self) -> int:
+        """Number of edges."""
+        return int(self.edges.vertices.shape[1])
+
+    @property
+    def edge_vertices(self) -> Ids:
+        """(2, E) int32: smaller and larger vertex id of each edge."""
+        return self.edges.vertices
+
+    @property
+    def cell_edges(self) -> Ids:
+        """(12, C) int32: edge at each place (`EDGES`) of each cell, -1 for an edge that has vanished."""
+        return self.edges.rows
+
+    @cached_property
+    def repeating_cells(self) -> NDArray[np.bool_]:
+        """(C,) bool: whether the cell has a vertex at more than one of its eight corners."""
+        return repeating_cells(self.corners)
+
+    @cached_property
+    def edge_cells(self) -> Ids:
+        """(E,) int32: number of distinct cells around each edge, its valence."""
+        return cells_around(self.edges, np.flatnonzero(self.repeating_cells))
+
+    @cached_property
+    def edge_on_boundary(self) -> NDArray[np.bool_]:
+        """(E,) bool: whether the edge belongs to a face of the boundary."""
+        on = np.zeros(self.edge_count + 1, dtype=bool)
+        rows = slice(self.faces.paired, self.faces.boundary_end)
+        on[self.edges_of(self.face_cells[0, rows], self.face_locals[0, rows])] = True
+        return on[:-1]
+
+    def edges_of(self, cells: Array, local: Array) -> Ids:
+        """Edges of some cells' faces, (4, N) int32, in no particular order; -1 where an edge has vanished.
+
+        Parameters
+        ----------
+        cells : (N,) int
+        local : (N,) int
+            Index into `FACES` for each.
+        """
+        flat = self.cell_edges.reshape(-1)
+        out = np.empty((4, len(cells)), np.int32)
+        for place in range(4):
+            where = (_EDGE_PLACES[:, place] * self.cell_count)[local]
+            where += cells
+            out[place] = flat[where]
+        return out
+
+    @cached_property
+    def interior_edge_valence(self) -> dict[int, int]:
+        """Number of interior edges of each valence."""
+        return _counts(self.edge_cells[~self.edge_on_boundary])
+
+    @cached_property
+    def boundary_edge_valence(self) -> dict[int, int]:
+        """Number of boundary edges of each valence."""
+        return _counts(self.edge_cells[self.edge_on_boundary])
+
+    @cached_property
+    def depth(self) -> Ids:
+        """(C,) int32: hop distance from the boundary over faces; -1 where no way leads there."""
+        return depth(self.faces)
+
+    @cached_property
+    def max_depth(self) -> int:
+        """Depth of the deepest cell; 0 for a mesh without cells."""
+        return int(max(self.depth.max(initial=0), 0))
+
+    @property
+    def cells_per_depth(self) -> list[int]:
+        """Number of cells of each depth, 0 first."""
+        reached = self.depth[self.depth >= 0]
+        return [int(count) for count in np.bincount(reached)]
+
+    @cached_property
+    def _components(self) -> tuple[Ids, int]:
+        return components(self.faces)
+
+    @property
+    def components(self) -> Ids:
+        """(C,) int32: each cell's face-connected component, numbered in order of their first cells."""
+        return self._components[0]
+
+    @property
+    def component_count(self) -> int:
+        """Number of face-connected components."""
+        return self._components[1]
+
+
+def _counts(values: Array) -> dict[int, int]:
+    """How often each value occurs."""
+    counts = np.bincount(values)
+    return {int(value): int(counts[value]) for value in np.flatnonzero(counts)}
