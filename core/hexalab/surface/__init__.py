@@ -1,0 +1,66 @@
+"""Surfaces: what draws the shown cells, a module for each separation mode; silhouette; irregular edges."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .buffers import Irregular, Silhouette, Surface
+from .darkness_coded_edges import darkness_coded_edges
+from .drawing import Drawing
+from .fissure import fissure
+from .irregular import extract_irregular
+from .lines import lines
+from .rounded import rounded
+from .silhouette import extract_silhouette
+
+__all__ = [
+    "MODES",
+    "Drawing",
+    "Irregular",
+    "Silhouette",
+    "Surface",
+    "extract_irregular",
+    "extract_silhouette",
+    "extract_surface",
+]
+
+MODES = ("lines", "darkness_coded_edges", "fissure", "rounded")
+"""The separation modes."""
+
+
+def extract_surface(
+    drawing: Drawing,
+    shown: NDArray[np.bool_],
+    mode: str = "lines",
+    gap: float = 0.15,
+    radius: float = 0.075,
+) -> Surface:
+    """The surface of the shown cells.
+
+    Parameters
+    ----------
+    drawing : Drawing
+        Made once for each mesh.
+    shown : (C,) bool
+    mode : str
+        One of `MODES`.
+    gap : float
+        Of fissures: how far exposed corners go towards their cell's barycentre, 0 to 1.
+    radius : float
+        Of roundings, over the length of the edge, 0 to 0.5.
+
+    Raises
+    ------
+    ValueError
+        If there is no such mode.
+    """
+    if mode == "lines":
+        return lines(drawing, shown)
+    if mode == "darkness_coded_edges":
+        return darkness_coded_edges(drawing, shown)
+    if mode == "fissure":
+        return fissure(drawing, shown, gap)
+    if mode == "rounded":
+        return rounded(drawing, shown, radius)
+    raise ValueError(f"no separation mode {mode!r}; there are {', '.join(MODES)}")

@@ -1,0 +1,114 @@
+"""What leaves the core to be drawn: flat arrays in the number types of the graphics card."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats32 = NDArray[np.float32]
+Int16s = NDArray[np.int16]
+Bytes = NDArray[np.uint8]
+UInt32s = NDArray[np.uint32]
+
+
+@dataclass(frozen=True)
+class Surface:
+    """The surface of the shown cells, closed, its normals outward.
+
+    Positions are drawing coordinates: the mesh's extent is centred on the origin and its diagonal is 1.
+
+    Attributes
+    ----------
+    mode : str
+        A name of `MODES`.
+    positions : (3 N,) float32
+    normals : (4 N,) int16
+        Unit vectors times 32767, the fourth number 0.
+    cells : (N,) uint32
+        Cell of each vertex.
+    inside : (N,) uint8
+        0 on the mesh's boundary, 255 on what filters expose; between them where two such faces of a cell are
+        rounded into each other.
+    quads : (4 Q,) uint32 or None
+        Vertices of each quad, to be drawn as triangles 0 1 2 and 0 2 3; None if they stand four by four. A
+        triangle repeats its last vertex.
+    faces : (Q,) uint32
+        Cell times 8 plus the face's place in `hexalab.mesh.FACES`, for each quad.
+    edges : (6 E,) float32
+        End points of the lines to draw, each edge once; only in the modes that draw lines.
+    edge_cells : (E,) uint8
+        Number of shown cells around each edge, at most 255; only with darkness-coded edges.
+    """
+
+    mode: str
+    positions: Floats32
+    normals: Int16s
+    cells: UInt32s
+    inside: Bytes
+    quads: UInt32s | None
+    faces: UInt32s
+    edges: Floats32
+    edge_cells: Bytes
+
+    def arrays(self) -> dict[str, Any]:
+        """All fields by name, not copied."""
+        return dict(vars(self))
+
+
+@dataclass(frozen=True)
+class Silhouette:
+    """Boundary faces of the hidden cells: quads four by four, laid out as in `Surface`."""
+
+    positions: Floats32
+    normals: Int16s
+
+    def arrays(self) -> dict[str, Any]:
+        """All fields by name, not copied."""
+        return dict(vars(self))
+
+
+@dataclass(frozen=True)
+class Irregular:
+    """The irregular structure: interior edges with other than four cells, boundary edges with other than two.
+
+    Everything is in drawing coordinates; in each list what belongs to interior edges stands first.
+
+    Attributes
+    ----------
+    edges : (6 E,) float32
+        End points.
+    valence : (E,) uint8
+        Number of cells around, at most 255.
+    boundary : (E,) uint8
+        1 if the edge lies on the mesh's boundary.
+    barbs : (6 B,) float32
+        From an end of an irregular edge (the root) to 45 % of the way along a neighbouring edge of a face
+        around it.
+    barb_valence, barb_boundary : (B,) uint8
+        Of the edge that it belongs to.
+    paper : (12 P,) float32
+        Flaps, one for each face around each irregular edge: the edge's two ends, then 45 % of the way along
+        the neighbouring edges.
+    paper_valence, paper_boundary : (P,) uint8
+        Of the edge that it belongs to.
+    counts : dict
+        Number of irregular edges by valence, `{"interior": {"3": n, ...}, "boundary": {...}}`.
+    """
+
+    edges: Floats32
+    valence: Bytes
+    boundary: Bytes
+    barbs: Floats32
+    barb_valence: Bytes
+    barb_boundary: Bytes
+    paper: Floats32
+    paper_valence: Bytes
+    paper_boundary: Bytes
+    counts: dict[str, dict[str, int]] = field(default_factory=dict)
+
+    def arrays(self) -> dict[str, Any]:
+        """All fields by name, not copied."""
+        return dict(vars(self))
