@@ -58,7 +58,7 @@ class InterfaceFinder:
         shown : (C,) bool
         """
         faces = self._faces
-        inside = self._inside(shown)
+        inside = self.inside(shown)
         outer = np.flatnonzero(shown[faces.cells[0, faces.paired :]]) + faces.paired
         second = ~shown[faces.cells[0][inside]]
         rows = np.concatenate([inside, outer])
@@ -71,7 +71,7 @@ class InterfaceFinder:
         local[turned] = faces.locals[1][inside[turned]]
         return Interface(rows, side, cells, local, len(inside))
 
-    def _inside(self, shown: NDArray[np.bool_]) -> NDArray[np.intp]:
+    def inside(self, shown: NDArray[np.bool_]) -> NDArray[np.intp]:
         """Rows of two cells of which one is shown."""
         left = self._faces.cells[0, : self._faces.paired]
         right = self._faces.cells[1, : self._faces.paired]

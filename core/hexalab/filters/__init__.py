@@ -1,0 +1,27 @@
+"""Filters: which cells are hidden (SPEC F1 to F5). One module for each, and the stack that combines them.
+
+A filter is a function from arrays and settings to (C,) bool, True where it hides a cell. Order: planes and
+peel, the regularisation of the two, quality, hand-picking.
+"""
+
+from .peel import peel
+from .picking import NOTHING_PICKED, Picking, dig, isolate, pick, undig
+from .plane import plane, plane_from_view
+from .quality import band
+from .regularisation import Regulariser
+from .stack import FilterStack
+
+__all__ = [
+    "NOTHING_PICKED",
+    "FilterStack",
+    "Picking",
+    "Regulariser",
+    "band",
+    "dig",
+    "isolate",
+    "peel",
+    "pick",
+    "plane",
+    "plane_from_view",
+    "undig",
+]

@@ -1,0 +1,129 @@
+"""The slicing plane (SPEC F1; the paper, Cell filters): hides what lies behind it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import cos, radians
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..mesh import CHUNK, Floats, Ids
+
+OPPOSITE = -cos(radians(20))
+"""A view whose cosine with the plane's normal is below this is opposite to it: the plane is inverted."""
+
+Vector = Sequence[float] | Floats
+
+
+class Places(NamedTuple):
+    """Where cells stand along a normal.
+
+    Attributes
+    ----------
+    along : (C,) float64
+        What is compared with the plane: each cell's barycentre, or its corner farthest behind.
+    low, high : float
+        Ends of the slider.
+    """
+
+    along: Floats
+    low: float
+    high: float
+
+
+def project(points: Floats, normal: Vector) -> Floats:
+    """Lengths of (3, N) points along the direction of a normal; zero along a normal of no length."""
+    direction = np.asarray(normal, dtype=np.float64)
+    length = float(np.sqrt((direction * direction).sum()))
+    x, y, z = (direction / length).tolist() if length else (0.0, 0.0, 0.0)
+    along: Floats = points[0] * x
+    term = points[1] * y
+    along += term
+    np.multiply(points[2], z, out=term)
+    along += term
+    return along
+
+
+def barycentre_places(barycentres: Floats, normal: Vector) -> Places:
+    """The paper's rule: barycentres are compared, and the slider runs over their extent."""
+    along = project(barycentres, normal)
+    return Places(along, *_ends(along))
+
+
+def any_corner_places(
+    coordinates: Floats, corners: Ids, referenced: NDArray[np.bool_], normal: Vector
+) -> Places:
+    """The original application's rule: one corner behind is enough, and the slider runs over the vertices'
+    extent.
+
+    Vertices that no cell uses (not `referenced`) do not stretch the slider.
+    """
+    along = project(coordinates, normal)
+    low, high = _ends(along[referenced])
+    farthest = np.empty(corners.shape[1])
+    for start in range(0, corners.shape[1], CHUNK):
+        part = slice(start, start + CHUNK)
+        here = along[corners[0, part]]
+        for corner in corners[1:]:
+            np.minimum(here, along[corner[part]], out=here)
+        farthest[part] = here
+    return Places(farthest, low, high)
+
+
+def plane(places: Places, offset: float) -> NDArray[np.bool_]:
+    """Cells behind the plane, (C,) bool.
+
+    Parameters
+    ----------
+    places : Places
+        Where the cells stand along the plane's normal.
+    offset : float
+        Place on the slider: 0 and less hides nothing, 1 and more everything.
+    """
+    if offset <= 0:
+        return np.zeros(len(places.along), dtype=bool)
+    if offset >= 1:
+        return np.ones(len(places.along), dtype=bool)
+    hidden: NDArray[np.bool_] = places.along < places.low + offset * (places.high - places.low)
+    return hidden
+
+
+def _ends(along: Floats) -> tuple[float, float]:
+    return (float(along.min()), float(along.max())) if len(along) else (0.0, 0.0)
+
+
+def plane_from_view(
+    direction: Vector, normal: Vector, offset: float, snap: bool = False
+) -> tuple[tuple[float, float, float], float]:
+    """Set the plane from the view: near cells go first, so that the cut faces the viewer.
+
+    Parameters
+    ----------
+    direction : (3,) float
+        View direction, away from the eye.
+    normal, offset : (3,) float, float
+        The present plane. If the view is within 20 degrees of opposite to its normal, the plane stays where
+        it is and is inverted exactly: what was hidden is shown.
+    snap : bool
+        Take the nearest signed axis instead of the view direction.
+
+    Returns
+    -------
+    normal, offset : (3,) tuple of float, float
+    """
+    view, present = _unit(direction), _unit(normal)
+    if view @ present < OPPOSITE:
+        x, y, z = (0.0 - float(part) for part in np.asarray(normal, dtype=np.float64))
+        return (x, y, z), 1 - offset
+    if snap:
+        axis = int(np.abs(view).argmax())
+        view = np.where(np.arange(3) == axis, np.sign(view[axis]), 0.0)
+    x, y, z = view.tolist()
+    return (x, y, z), offset
+
+
+def _unit(vector: Vector) -> Floats:
+    array = np.asarray(vector, dtype=np.float64)
+    return np.asarray(array / (np.sqrt((array * array).sum()) or 1.0))

@@ -1,0 +1,60 @@
+"""Regularisation (SPEC F5; the paper, Filter regularization): cleans the cut that plane and peel make.
+
+The hidden set is dilated n times, then eroded n times. The interface is made of interior faces with exactly
+one visible side. Where the cut meets the original surface, the vertices of its rim lie on such faces and
+count; the surface's other vertices, and faces of the boundary, never do: a mesh does not wear away from
+outside.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..mesh import CHUNK
+from ..topology import Topology
+from ..topology.interface import InterfaceFinder
+
+STRONGEST = 5
+"""Largest strength (SPEC F5)."""
+
+
+class Regulariser:
+    """Regularises hidden sets of one mesh, and remembers the interface of the last: sets that follow are
+    alike.
+
+    Parameters
+    ----------
+    topology : Topology
+    """
+
+    def __init__(self, topology: Topology) -> None:
+        self._topology = topology
+        self._finder = InterfaceFinder(topology.faces)
+
+    def regularise(self, hidden: NDArray[np.bool_], strength: int) -> NDArray[np.bool_]:
+        """Dilate a hidden set, (C,) bool, `strength` times, then erode it as often; a new array."""
+        hidden = hidden.copy()
+        for _ in range(strength):
+            touching = self._touching(hidden)
+            hidden |= touching
+        for _ in range(strength):
+            touching = self._touching(hidden)
+            hidden &= ~touching
+        return hidden
+
+    def _touching(self, hidden: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        """Cells, hidden or not, with a vertex on the interface."""
+        topology = self._topology
+        rows = self._finder.inside(~hidden)
+        touching = np.zeros(len(hidden), dtype=bool)
+        if not len(rows):
+            return touching
+        flagged = np.zeros(topology.vertex_count, dtype=bool)
+        for ids in topology.corners_of(topology.face_cells[0][rows], topology.face_locals[0][rows]):
+            flagged[ids] = True
+        for start in range(0, len(hidden), CHUNK):
+            part = slice(start, start + CHUNK)
+            for corner in topology.corners[:, part]:
+                touching[part] |= flagged[corner]
+        return touching

@@ -1,0 +1,160 @@
+"""The stack: all filters together, and what can be kept between two settings.
+
+A slider changes one filter at a time: the masks of the others are kept by their settings, and of the planes
+also where the cells stand along each normal, so that a moved plane is one comparison per cell.
+"""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Callable, Hashable, Mapping
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..mesh import Floats, Mesh
+from ..quality import METRICS
+from .peel import peel
+from .picking import pick
+from .plane import Places, any_corner_places, barycentre_places, plane
+from .quality import Keep, band
+from .regularisation import STRONGEST, Regulariser
+
+Hidden = NDArray[np.bool_]
+Settings = Mapping[str, Any]
+Planes = tuple[tuple[str, tuple[float, ...], float], ...]
+"""Rule, normal and offset of each plane."""
+
+Bands = tuple[tuple[str, Keep, float | None, float | None], ...]
+"""Source, side that is kept, and both ends of each band."""
+
+NORMALS_KEPT = 4
+"""Eight bytes per cell for each normal; a status seldom has more planes than three."""
+
+
+class FilterStack:
+    """All filters over one mesh.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    values : callable, str to (C,) float64
+        Gives a metric's or an attribute's values by its id.
+
+    Examples
+    --------
+    >>> stack = FilterStack(mesh, lambda source: quality(mesh, source))          # doctest: +SKIP
+    >>> shown = stack.apply({"peel": {"depth": 1}})                              # doctest: +SKIP
+    """
+
+    def __init__(self, mesh: Mesh, values: Callable[[str], Floats]) -> None:
+        self._mesh = mesh
+        self._values = values
+        self._places: OrderedDict[Hashable, Places] = OrderedDict()
+        self._masks: dict[str, tuple[Hashable, Hidden]] = {}
+
+    def apply(self, filters: Settings) -> Hidden:
+        """Which cells are shown, (C,) bool, under the status document's section `filters`.
+
+        A section that is missing hides nothing. The array is the caller's.
+        """
+        hidden = self._cut(filters)
+        bands = _bands(filters.get("quality", {}))
+        if bands:
+            hidden = hidden | self._kept("quality", bands, lambda: self._outside(bands))
+        picking = filters.get("picking", {})
+        if picking.get("enabled", True):
+            isolated, dug, undug = (picking.get(name, ()) for name in ("isolated", "hidden", "shown"))
+            if isolated or len(dug) or len(undug):
+                hidden = pick(hidden, bool(isolated), dug, undug)
+        return ~hidden
+
+    def places(self, normal: Any, rule: str = "barycentre") -> Places:
+        """Where the cells stand along a normal, and the ends of its slider, in the mesh's own unit.
+
+        Parameters
+        ----------
+        normal : (3,) float
+        rule : "barycentre" or "any_corner"
+        """
+        mesh = self._mesh
+        key = (rule, *(float(part) for part in normal))
+        if key not in self._places:
+            if rule == "barycentre":
+                self._places[key] = barycentre_places(mesh.barycentres, normal)
+            else:
+                self._places[key] = any_corner_places(mesh.coordinates, mesh.corners, mesh.referenced, normal)
+            while len(self._places) > NORMALS_KEPT:
+                self._places.popitem(last=False)
+        self._places.move_to_end(key)
+        return self._places[key]
+
+    def _cut(self, filters: Settings) -> Hidden:
+        """What planes and peel hide, regularised; not to be changed by the caller."""
+        planes = _planes(filters.get("planes", {}))
+        layers = _number(filters.get("peel", {}), "depth")
+        strength = min(_number(filters.get("regularisation", {}), "strength"), STRONGEST)
+        hidden = self._kept("planes", planes, lambda: self._behind(planes))
+        if layers > 0:
+            below = hidden
+            hidden = below | self._kept("peel", layers, lambda: peel(self._mesh.topology.depth, layers))
+        if strength > 0:
+            cut = hidden
+            key = (planes, layers, strength)
+            hidden = self._kept("regularisation", key, lambda: self._regulariser.regularise(cut, strength))
+        return hidden
+
+    def _behind(self, planes: Planes) -> Hidden:
+        """Cells behind any of the planes."""
+        hidden = np.zeros(self._mesh.cell_count, dtype=bool)
+        for rule, normal, offset in planes:
+            hidden |= plane(self.places(normal, rule), offset)
+        return hidden
+
+    def _outside(self, bands: Bands) -> Hidden:
+        """Cells that any of the bands does not keep."""
+        hidden = np.zeros(self._mesh.cell_count, dtype=bool)
+        for source, keep, minimum, maximum in bands:
+            worst = METRICS[source].worst if source in METRICS else np.nan
+            hidden |= band(self._values(source), keep, minimum, maximum, worst)
+        return hidden
+
+    def _kept(self, name: str, key: Any, make: Callable[[], Hidden]) -> Hidden:
+        """A filter's mask, made anew only if its settings changed."""
+        if name not in self._masks or self._masks[name][0] != key:
+            self._masks[name] = (key, make())
+        return self._masks[name][1]
+
+    @cached_property
+    def _regulariser(self) -> Regulariser:
+        return Regulariser(self._mesh.topology)
+
+
+def _planes(settings: Settings) -> Planes:
+    """The planes that hide something."""
+    if not settings.get("enabled", True):
+        return ()
+    rule = settings.get("rule", "barycentre")
+    return tuple(
+        (rule, tuple(float(part) for part in item["normal"]), float(item.get("offset", 0)))
+        for item in settings.get("items", ())
+        if item.get("enabled", True) and item.get("offset", 0) > 0
+    )
+
+
+def _bands(settings: Settings) -> Bands:
+    """The bands that hide something."""
+    if not settings.get("enabled", True):
+        return ()
+    rows = (
+        (item["source"], item.get("keep", "inside"), item.get("minimum"), item.get("maximum"))
+        for item in settings.get("items", ())
+    )
+    return tuple(row for row in rows if row[2] is not None or row[3] is not None)
+
+
+def _number(settings: Settings, name: str) -> int:
+    """A filter's number, 0 if it is off."""
+    return int(settings.get(name, 0)) if settings.get("enabled", True) else 0
