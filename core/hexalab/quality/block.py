@@ -1,112 +1,88 @@
-"""A block of hexahedra: gathered corners and what the metrics share, each computed once and only when asked for.
+"""A block of hexahedra: gathered corners and what the metrics share, each computed at most once.
 
-Arrays are components first and cells last, so that every operation is a long run over contiguous memory. Corner
-triples and edges are kept in an order in which both halves of the eight corners meet every edge exactly once:
+Arrays are components first and cells last, so that every operation is a long run over contiguous memory.
+Edges are kept in an order in which each half of the eight corners meets every edge exactly once:
 
-========  =====================  =====================  =====================
-row       u edges                v edges                w edges
-========  =====================  =====================  =====================
-0 1 2 3   01, 32, 45, 76         03, 12, 56, 47         04, 26, 15, 37
-========  =====================  =====================  =====================
+=======  =====================
+ edges   rows 0, 1, 2, 3
+=======  =====================
+   u     01, 32, 45, 76
+   v     03, 12, 56, 47
+   w     04, 26, 15, 37
+=======  =====================
 
-Corners 0, 2, 5, 7 take rows 0 1 2 3 of u, v, w; corners 1, 3, 4, 6 take rows 0 1 2 3 of u, 1 0 3 2 of v and 2 3 0 1
-of w. At every corner (u, v, w) is a right-handed triple of a sound cell.
+Corners 0, 2, 5, 7 ("even") take rows 0 1 2 3 of u, v and w; corners 1, 3, 4, 6 ("odd") take rows 0 1 2 3 of u,
+1 0 3 2 of v and 2 3 0 1 of w. At every corner (u, v, w) is a right-handed triple of a sound cell. Arrays over
+corners have the even four first.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any, TypeVar
-
 import numpy as np
 
-from ..mesh import Array, Floats, Ids
-
-BLOCK = 2048
-"""Cells computed together: the few megabytes of intermediates stay in cache."""
+from ..mesh import Floats, Ids
+from .arena import Arena, cross, dot, shared
 
 BITS = (0, 1, 3, 2, 4, 5, 7, 6)
-"""Corner at each place 4c + 2b + a, where a, b, c say which end of the u, v, w direction it is at."""
+"""Corner at place 4c + 2b + a, where a, b, c say which end of the u, v, w direction it is at; its own inverse."""
 
-T = TypeVar("T")
+TOLERANCE = 10 * float(np.finfo(np.float64).eps)
+"""Verdict's threshold, found by bisection: relative to the diagonal of the cell's box, its square or its cube."""
 
+ENDS = ((1, 2, 5, 6), (2, 3, 6, 7), (4, 5, 6, 7))
+"""Corners at the far end of the principal axes X, Y, Z."""
 
-def shared(compute: Callable[[Any], T]) -> Any:
-    """Make a method a property that is computed once per block."""
-    key = compute.__name__
+DIAGONALS = ((0, 6), (1, 7), (2, 4), (3, 5))
 
-    def get(self: Any) -> T:
-        if key not in self.known:
-            self.known[key] = compute(self)
-        value: T = self.known[key]
-        return value
+INNER, OUTER, BOTH = (slice(None), slice(None, None, -1)), (slice(None, None, -1),), (slice(None, None, -1),) * 2
+"""Index of the (2, 2) rows of edges that swaps 0 1 2 3 to 1 0 3 2, to 2 3 0 1, to 3 2 1 0."""
 
-    get.__doc__ = compute.__doc__
-    return property(get)
+U_FLIPS, V_FLIPS, W_FLIPS = (OUTER, INNER), (BOTH, INNER), (BOTH, OUTER)
+"""Which swaps lead from an edge to its two neighbours of the same direction."""
 
 
-def dot(a: Floats, b: Floats, out: Floats, scratch: Floats) -> Floats:
-    """Sum of the products of the components (first axis)."""
-    np.multiply(a[0], b[0], out=out)
-    np.multiply(a[1], b[1], out=scratch)
-    out += scratch
-    np.multiply(a[2], b[2], out=scratch)
-    out += scratch
+def triple_products(u: Floats, v: Floats, w: Floats, out: Floats, product: Floats, scratch: Floats) -> Floats:
+    """Determinants (u, v, w) at the eight meetings of four edges in each direction.
+
+    Parameters
+    ----------
+    u, v, w : (3, 4, n)
+        Edges in the block's order.
+    out : (8, n)
+        Receives the even corners' determinants, then the odd ones'. Both come out as Verdict rounds them.
+    product, scratch : (3, 4, n), (4, n)
+    """
+    n = out.shape[-1]
+    dot(u, cross(v, w, product, scratch), out[:4], scratch)
+    product, scratch, odd = product.reshape(3, 2, 2, n), scratch.reshape(2, 2, n), out[4:].reshape(2, 2, n)
+    u, v, w = (edges.reshape(3, 2, 2, n) for edges in (u, v, w))
+    v, w = v[:, :, ::-1], w[:, ::-1]
+    dot(v, cross(w, u, product, scratch), odd, scratch)
     return out
-
-
-def cross(a: Floats, b: Floats, out: Floats, scratch: Floats) -> Floats:
-    """Cross product over the components (first axis)."""
-    for axis, (i, j) in enumerate(((1, 2), (2, 0), (0, 1))):
-        np.multiply(a[i], b[j], out=out[axis])
-        np.multiply(a[j], b[i], out=scratch)
-        out[axis] -= scratch
-    return out
-
-
-class Arena:
-    """Memory for one block at a time, handed out by name and kept between blocks."""
-
-    def __init__(self, size: int = BLOCK) -> None:
-        self.size = size
-        self.count = size
-        self.known: dict[str, Any] = {}
-        self._arrays: dict[str, Array] = {}
-
-    def array(self, name: str, *shape: int, dtype: Any = np.float64) -> Array:
-        """Array of `shape` + (cells of the block,), the same memory whenever the name comes again."""
-        whole = self._arrays.get(name)
-        if whole is None:
-            whole = self._arrays[name] = np.empty((*shape, self.size), dtype=dtype)
-        return whole if self.count == self.size else whole[..., : self.count]
-
-    def begin(self, count: int) -> None:
-        """Forget what was computed, for a block of `count` cells."""
-        self.count = count
-        self.known.clear()
 
 
 class HexahedronBlock(Arena):
     """Hexahedra of one block; see the module's description for the order of edges and corners."""
 
+    points: Floats
+    """(3, 8, n) coordinates of the corners, in the order of `BITS`."""
+
     def load(self, coordinates: Floats, corners: Ids) -> None:
         """Gather the corners (8, n) of the block's cells."""
         self.begin(corners.shape[1])
-        points = self.array("points", 3, 8)
+        self.points = self.array("points", 3, 8)
         for place, corner in enumerate(BITS):
             for axis in range(3):
-                np.take(coordinates[axis], corners[corner], out=points[axis, place], mode="clip")
-        self.points = points
+                np.take(coordinates[axis], corners[corner], out=self.points[axis, place], mode="clip")
 
     def corner(self, corner: int) -> Floats:
         """(3, n) view of a corner's coordinates."""
-        return self.points[:, BITS.index(corner)]
+        return self.points[:, BITS[corner]]
 
     @shared
     def u(self) -> Floats:
         """(3, 4, n) edges of the first direction."""
-        out = self.array("u", 3, 4)
-        return np.subtract(self.points[:, 1::2], self.points[:, ::2], out=out)
+        return np.subtract(self.points[:, 1::2], self.points[:, ::2], out=self.array("u", 3, 4))
 
     @shared
     def v(self) -> Floats:
@@ -124,54 +100,87 @@ class HexahedronBlock(Arena):
         np.subtract(points[:, 5:7], points[:, 1:3], out=out[:, 2:])
         return out
 
-    @property
-    def odd(self) -> tuple[Floats, Floats, Floats]:
-        """(3, 2, 2, n) views of u, v, w as corners 1, 3, 4, 6 take them."""
-        u, v, w = (edges.reshape(3, 2, 2, self.count) for edges in (self.u, self.v, self.w))
-        return u, v[:, :, ::-1], w[:, ::-1]
+    def at_corners(self, edges: Floats, direction: str, odd: bool) -> Floats:
+        """(..., 2, 2, n) view of u, v or w edges as the even or the odd corners take them."""
+        rows = edges.reshape(*edges.shape[:-2], 2, 2, self.count)
+        if not odd or direction == "u":
+            return rows
+        return rows[..., ::-1, :] if direction == "v" else rows[..., ::-1, :, :]
 
     @shared
     def determinants(self) -> Floats:
-        """(8, n) u.(v x w) at corners 0, 2, 5, 7, 1, 3, 4, 6."""
+        """(8, n) u.(v x w) at the corners."""
         out = self.array("determinants", 8)
-        product, scratch = self.array("product", 3, 4), self.array("scratch", 4)
-        cross(self.v, self.w, product, scratch)
-        dot(self.u, product, out[:4], scratch)
-        u, v, w = self.odd
-        product, scratch = product.reshape(3, 2, 2, self.count), scratch.reshape(2, 2, self.count)
-        cross(u, w, product, scratch)
-        dot(v, product, out[4:].reshape(2, 2, self.count), scratch)
-        np.negative(out[4:], out=out[4:])
+        product, scratch = self.array("product", 3, 4), self.array("scratch_4", 4)
+        return triple_products(self.u, self.v, self.w, out, product, scratch)
+
+    @shared
+    def squares(self) -> Floats:
+        """(12, n) squared lengths of the u, then v, then w edges."""
+        out, scratch = self.array("squares", 12), self.array("scratch_4", 4)
+        for place, edges in enumerate((self.u, self.v, self.w)):
+            dot(edges, edges, out[4 * place : 4 * place + 4], scratch)
         return out
 
     @shared
-    def squares(self) -> tuple[Floats, Floats, Floats]:
-        """Squared lengths of the u, v, w edges, (4, n) each."""
-        scratch = self.array("scratch", 4)
-        out = self.array("squares", 12)
-        return (
-            dot(self.u, self.u, out[:4], scratch),
-            dot(self.v, self.v, out[4:8], scratch),
-            dot(self.w, self.w, out[8:], scratch),
-        )
+    def lengths(self) -> Floats:
+        """(12, n) lengths of the u, then v, then w edges."""
+        return np.sqrt(self.squares, out=self.array("lengths", 12))
 
     @shared
-    def shortest_square(self) -> Floats:
-        """(n,) squared length of the shortest edge."""
-        u, v, w = self.squares
-        out = self.array("shortest_square")
-        np.min(u, axis=0, out=out)
-        for rows in (v, w):
-            np.minimum(out, rows.min(axis=0), out=out)
+    def corner_squares(self) -> Floats:
+        """(8, n) |u|^2 + |v|^2 + |w|^2 at the corners."""
+        out, n = self.array("corner_squares", 8), self.count
+        u, v, w = (self.squares[i : i + 4] for i in (0, 4, 8))
+        for odd, half in enumerate((out[:4].reshape(2, 2, n), out[4:].reshape(2, 2, n))):
+            np.add(self.at_corners(u, "u", bool(odd)), self.at_corners(v, "v", bool(odd)), out=half)
+            half += self.at_corners(w, "w", bool(odd))
         return out
 
     @shared
-    def centre_determinant(self) -> Floats:
-        """(n,) X.(Y x Z): 64 times the Jacobian at the centre."""
-        x, y, z = self.axes
-        product, scratch = self.array("axes_product", 3), self.array("scratch_1")
-        cross(y, z, product, scratch)
-        return dot(x, product, self.array("centre_determinant"), scratch)
+    def roots(self) -> Floats:
+        """(9, n) cube roots of the corners' determinants and of the centre's X.(Y x Z)."""
+        out = self.array("roots", 9)
+        np.cbrt(self.determinants, out=out[:8])
+        np.cbrt(self.centre_determinant, out=out[8])
+        return out
+
+    @shared
+    def dots(self) -> Floats:
+        """(3, 8, n) u.v, v.w and w.u at the corners."""
+        out, n = self.array("dots", 3, 8), self.count
+        scratch = self.array("scratch_4", 4).reshape(2, 2, n)
+        for odd in (False, True):
+            rows = out[:, 4 * odd : 4 * odd + 4].reshape(3, 2, 2, n)
+            u, v, w = (self.at_corners(getattr(self, name), name, odd) for name in "uvw")
+            for product, (a, b) in zip(rows, ((u, v), (v, w), (w, u)), strict=True):
+                dot(a, b, product, scratch)
+        return out
+
+    @shared
+    def crosses(self) -> Floats:
+        """(3, 3, 8, n) u x v, v x w and w x u at the corners (component second)."""
+        out, n = self.array("crosses", 3, 3, 8), self.count
+        scratch = self.array("scratch_4", 4).reshape(2, 2, n)
+        for odd in (False, True):
+            rows = out[:, :, 4 * odd : 4 * odd + 4].reshape(3, 3, 2, 2, n)
+            u, v, w = (self.at_corners(getattr(self, name), name, odd) for name in "uvw")
+            for product, (a, b) in zip(rows, ((u, v), (v, w), (w, u)), strict=True):
+                cross(a, b, product, scratch)
+        return out
+
+    @shared
+    def axes(self) -> tuple[Floats, Floats, Floats]:
+        """Principal axes X, Y, Z, (3, n) each, summed from the corners as Verdict does, to round alike."""
+        out = self.array("axes", 3, 3)
+        for axis, ends in zip(out, ENDS, strict=True):
+            np.add(self.corner(ends[0]), self.corner(ends[1]), out=axis)
+            axis += self.corner(ends[2])
+            axis += self.corner(ends[3])
+            for corner in range(8):
+                if corner not in ends:
+                    axis -= self.corner(corner)
+        return out[0], out[1], out[2]
 
     @shared
     def axis_squares(self) -> Floats:
@@ -182,14 +191,66 @@ class HexahedronBlock(Arena):
         return out
 
     @shared
-    def axes(self) -> tuple[Floats, Floats, Floats]:
-        """Principal axes X, Y, Z, (3, n) each, summed from the corners in Verdict's order (rounding is then the same)."""
-        out = self.array("axes", 3, 3)
-        for axis, ends in zip(out, ((1, 2, 5, 6), (2, 3, 6, 7), (4, 5, 6, 7)), strict=True):
-            np.add(self.corner(ends[0]), self.corner(ends[1]), out=axis)
-            axis += self.corner(ends[2])
-            axis += self.corner(ends[3])
-            for corner in range(8):
-                if corner not in ends:
-                    axis -= self.corner(corner)
-        return out[0], out[1], out[2]
+    def axis_lengths(self) -> Floats:
+        """(3, n) lengths of X, Y, Z."""
+        return np.sqrt(self.axis_squares, out=self.array("axis_lengths", 3))
+
+    @shared
+    def centre_determinant(self) -> Floats:
+        """(n,) X.(Y x Z): 64 times the Jacobian at the centre."""
+        x, y, z = self.axes
+        product, scratch = self.array("axes_product", 3), self.array("scratch_1")
+        return dot(x, cross(y, z, product, scratch), self.array("centre_determinant"), scratch)
+
+    @shared
+    def diagonals(self) -> Floats:
+        """(2, n) shortest and longest of the four space diagonals."""
+        out, square, scratch = self.array("diagonals", 2), self.array("square_1"), self.array("scratch_1")
+        span = self.array("span", 3)
+        for place, (a, b) in enumerate(DIAGONALS):
+            np.subtract(self.corner(a), self.corner(b), out=span)
+            dot(span, span, square, scratch)
+            if place:
+                np.minimum(out[0], square, out=out[0])
+                np.maximum(out[1], square, out=out[1])
+            else:
+                out[:] = square
+        return np.sqrt(out, out=out)
+
+    @shared
+    def size(self) -> Floats:
+        """(n,) diagonal of the cell's axis-parallel box; 1 where that is below `TOLERANCE`, as Verdict has it."""
+        low, high = self.array("box_low", 3), self.array("box_high", 3)
+        np.min(self.points, axis=1, out=low)
+        np.max(self.points, axis=1, out=high)
+        high -= low
+        out = dot(high, high, self.array("size"), self.array("scratch_1"))
+        np.sqrt(out, out=out)
+        out[out <= TOLERANCE] = 1
+        return out
+
+    @shared
+    def gauss_determinants(self) -> Floats:
+        """(8, n) determinants at the eight Gauss points (order 2) of edges interpolated there."""
+        near, far = (1 + 1 / np.sqrt(3)) / 2, (1 - 1 / np.sqrt(3)) / 2
+        edges = []
+        for name, flips in (("u", U_FLIPS), ("v", V_FLIPS), ("w", W_FLIPS)):
+            rows = getattr(self, name).reshape(3, 2, 2, self.count)
+            for step, flip in enumerate(flips):
+                mixed = self.array(f"gauss_{name}{step}", 3, 4).reshape(3, 2, 2, self.count)
+                scratch = self.array("product", 3, 4).reshape(3, 2, 2, self.count)
+                np.multiply(rows, near, out=mixed)
+                np.multiply(rows[(slice(None), *flip)], far, out=scratch)
+                mixed += scratch
+                rows = mixed
+            edges.append(rows.reshape(3, 4, self.count))
+        u, v, w = edges
+        product, scratch = self.array("product", 3, 4), self.array("scratch_4", 4)
+        return triple_products(u, v, w, self.array("gauss_determinants", 8), product, scratch)
+
+    @shared
+    def volume(self) -> Floats:
+        """(n,) signed volume of the trilinear cell: the mean of the determinants at the Gauss points, exact."""
+        out = np.sum(self.gauss_determinants, axis=0, out=self.array("volume"))
+        out /= 8
+        return out
