@@ -13,9 +13,9 @@ from ..mesh import COLLAPSE, HEXAHEDRON, KINDS, Array, Floats, Ids, Mesh
 from .ids import LARGEST_ID
 from .source import Source
 
-
 WEDGE_OF_OTHERS = (0, 2, 1, 3, 5, 4)
-"""VTK's wedge from the corners of Medit, Gmsh and Abaqus, whose triangle 0 1 2 is seen from the other side."""
+"""VTK's wedge from the corners of Medit, Gmsh and Abaqus, whose triangle 0 1 2 is seen from the other
+side."""
 
 
 @dataclass
@@ -74,6 +74,15 @@ class Assembly:
         """Count cells that are not of a volumetric kind that can be kept."""
         if count:
             self.left_out[kind] = self.left_out.get(kind, 0) + count
+
+    def add_piece(self, block: CellBlock, vertex_count: int, first_vertex: int, first_cell: int) -> None:
+        """Add a block whose vertices and cells are counted within a piece of the mesh."""
+        if block.corners.shape[1]:
+            check_ids(block, vertex_count)
+        block.corners += np.int32(first_vertex)
+        if block.cells is not None:
+            block.cells = block.cells + first_cell
+        self.blocks.append(block)
 
     def mesh(self) -> Mesh:
         """Check and join everything.

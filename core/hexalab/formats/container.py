@@ -58,10 +58,15 @@ def unwrapped(source: Source) -> Source:
     return source
 
 
+def inflation_bound(size: int) -> int:
+    """How many bytes may come out of so many compressed ones."""
+    return min(LARGEST, max(ALWAYS_FINE, RATIO * size))
+
+
 def inflated(source: Source) -> bytes:
     """The content of a gzip stream of one or more members, bounded."""
     data = source.data
-    bound = min(LARGEST, max(ALWAYS_FINE, RATIO * len(data)))
+    bound = inflation_bound(len(data))
     out: list[bytes] = []
     size = position = 0
     while position < len(data):

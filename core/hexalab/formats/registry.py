@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from ..mesh import Mesh
-from . import medit, vtk_legacy
+from . import medit, vtk_legacy, vtu, write_medit, write_vtk, write_vtu
 from .source import Source
 
 HEAD = 8192
@@ -49,6 +49,7 @@ FORMATS: tuple[Format, ...] = (
         (".mesh",),
         re.compile(rb"(?:\s|\xef\xbb\xbf|#[^\r\n]*)*MeshVersionFormatted\b", re.I),
         medit.read,
+        write_medit.write,
     ),
     Format(
         "vtk",
@@ -56,6 +57,15 @@ FORMATS: tuple[Format, ...] = (
         (".vtk",),
         re.compile(rb"(?:\s|\xef\xbb\xbf)*#\s*vtk\s+DataFile", re.I),
         vtk_legacy.read,
+        write_vtk.write,
+    ),
+    Format(
+        "vtu",
+        "VTK XML",
+        (".vtu",),
+        re.compile(rb"(?:\s|\xef\xbb\xbf)*<(?:\?xml|!--|VTKFile)"),
+        vtu.read,
+        write_vtu.write,
     ),
 )
 

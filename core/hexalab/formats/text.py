@@ -193,6 +193,21 @@ class Text:
             yield slice(row, row + whole), values[: whole * width].reshape(whole, width)
             row += whole
 
+    def between(self, start: int, end: int, dtype: DTypeLike, what: str) -> NDArray[Any]:
+        """All numbers between two byte offsets; anything else raises Interrupted."""
+        arrays: list[NDArray[Any]] = [np.empty(0, dtype=dtype)]
+        self.position, found = start, 0
+        while self.position < end:
+            cut = min(piece_end(self.data, self.position, PIECE), end)
+            piece = self.data[self.position : cut]
+            values, stopped = parse(piece, dtype)
+            if stopped:
+                raise self.interruption(piece, dtype, what, found, -1)
+            arrays.append(values)
+            found += len(values)
+            self.position = cut
+        return np.concatenate(arrays)
+
     def check_room(self, count: int, what: str) -> None:
         """Raise MeshReadError if the bytes left can't hold so many numbers."""
         left = len(self.data) - self.position
@@ -218,10 +233,10 @@ class Text:
         """Find what is not a number in the piece at the present position."""
         for token in WORD.finditer(piece):
             if not is_number(token[0], dtype):
-                message = (
-                    f"{shown(token[0])} stands where a {'' if dtype == np.float64 else 'whole '}number was "
-                    f"expected: {what} should be {count} numbers and this is number {found + 1}"
-                )
+                kind = "a number" if dtype == np.float64 else "a whole number"
+                message = f"{shown(token[0])} stands where {kind} was expected, in {what}"
+                if count >= 0:
+                    message += f", which should be {count} numbers: this is number {found + 1}"
                 return Interrupted(self.error(message, self.position + token.start()), found)
             found += 1
         message = f"the file ends in {what}: {found} of {count} numbers are there"

@@ -7,7 +7,6 @@ hexahedra.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,6 +16,7 @@ from ..errors import MeshReadError
 from ..mesh import CHUNK, HEXAHEDRON, Array, Floats, Ids
 from .assembly import Assembly, CellBlock, check_ids
 from .vtk_types import CELL_TYPES, HEXAHEDRON_TYPE, VOXEL, CellType
+from .vtk_values import ErrorAt
 
 VOXEL_SAMPLE = 4096
 
@@ -43,7 +43,7 @@ class Rows:
     starts: Array
     sizes: Array
     types: Array | None
-    error_at: Callable[[str, int], MeshReadError]
+    error_at: ErrorAt
     uniform: int = 0
 
 
@@ -200,3 +200,21 @@ def central_jacobian(corners: Ids, coordinates: Floats) -> Floats:
             + u[1] * (v[2] * w[0] - v[0] * w[2])
             + u[2] * (v[0] * w[1] - v[1] * w[0])
         )
+
+
+def spans(offsets: Array, size: int, error_at: ErrorAt) -> tuple[Array, Array, int]:
+    """Starts, sizes and uniform size of rows from their n+1 offsets, checked against the connectivity's
+    size."""
+    if len(offsets) == 0:
+        return np.empty(0, np.intp), np.empty(0, np.int32), 0
+    sizes = np.diff(offsets)
+    wrong = np.concatenate([[offsets[0] != 0], (sizes < 0) | (offsets[1:] > size)])
+    if wrong.any():
+        index = int(np.argmax(wrong))
+        raise error_at(
+            f"offset {index} is {int(offsets[index])}, expected them to rise from 0 to the {size} values of "
+            "the connectivity",
+            index,
+        )
+    uniform = int(sizes[0]) if len(sizes) and (sizes == sizes[0]).all() else 0
+    return offsets[:-1].astype(np.intp, copy=False), sizes.astype(np.int32), uniform

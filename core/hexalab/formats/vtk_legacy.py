@@ -18,7 +18,7 @@ from .row_chain import row_starts
 from .source import Source
 from .text import NUMBER, Text, shown
 from .vtk_attributes import SECTIONS, Attributes
-from .vtk_cells import Rows, add_cells
+from .vtk_cells import Rows, add_cells, spans
 from .vtk_values import ErrorAt, Values
 
 HEADER = re.compile(rb"\s*#\s*vtk\s+DataFile[^\r\n]*\r?\n", re.I)
@@ -188,21 +188,3 @@ class Reader:
         types, _ = self.values.take(count, "i4", "CELL_TYPES")
         if self.types is None:
             self.types = types.astype(np.int32, copy=False)
-
-
-def spans(offsets: Array, size: int, error_at: ErrorAt) -> tuple[Array, Array, int]:
-    """Starts, sizes and uniform size of rows from their n+1 offsets, checked against the connectivity's
-    size."""
-    if len(offsets) == 0:
-        return np.empty(0, np.intp), np.empty(0, np.int32), 0
-    sizes = np.diff(offsets)
-    wrong = np.concatenate([[offsets[0] != 0], (sizes < 0) | (offsets[1:] > size)])
-    if wrong.any():
-        index = int(np.argmax(wrong))
-        raise error_at(
-            f"offset {index} is {int(offsets[index])}, expected them to rise from 0 to the {size} values of "
-            "the connectivity",
-            index,
-        )
-    uniform = int(sizes[0]) if len(sizes) and (sizes == sizes[0]).all() else 0
-    return offsets[:-1].astype(np.intp, copy=False), sizes.astype(np.int32), uniform

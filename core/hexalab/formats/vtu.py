@@ -1,0 +1,148 @@
+"""VTK XML `.vtu` (SPEC R4): ascii, base64 and appended arrays, zlib or not, one or several pieces."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..errors import MeshReadError
+from ..mesh import Array, Mesh
+from .assembly import Assembly, check_finite, free_name
+from .source import Source
+from .vtk_cells import Rows, add_cells, spans
+from .vtk_values import native
+from .vtu_arrays import Arrays
+from .xml_tags import Element, parse
+
+
+def read(source: Source) -> Mesh:
+    """Read the bytes of a `.vtu` file; raises MeshReadError."""
+    return Reader(source).read()
+
+
+class Reader:
+    """Joins the pieces of the file."""
+
+    def __init__(self, source: Source) -> None:
+        self.source = source
+        self.out = Assembly(source, "vtu")
+        root = parse(source, "AppendedData")
+        file = root.first("VTKFile")
+        if file is None:
+            raise source.error("expected the element VTKFile", line_at=0)
+        kind = file.attributes.get("type", "")
+        if kind != "UnstructuredGrid":
+            raise source.error(
+                f"the file holds {kind or 'no type'}, expected UnstructuredGrid, a mesh of volumetric cells",
+                line_at=file.begin,
+            )
+        grid = file.first("UnstructuredGrid")
+        self.pieces = grid.all("Piece") if grid else []
+        if not self.pieces:
+            raise source.error("the file has no element Piece", line_at=file.begin)
+        self.arrays = Arrays(source, file, file.first("AppendedData"))
+        self.vertex_count = 0
+
+    def read(self) -> Mesh:
+        coordinates: list[Array] = []
+        data: list[tuple[dict[str, Array], dict[str, Array]]] = []
+        for piece in self.pieces:
+            points = self.points(piece)
+            if not points.shape[1]:
+                continue
+            coordinates.append(points)
+            kept = self.cells(piece, points)
+            cell_data = self.attributes(piece, "CellData", self.count(piece, "NumberOfCells"))
+            if kept is not None:
+                cell_data = {name: values[kept] for name, values in cell_data.items()}
+            data.append((self.attributes(piece, "PointData", points.shape[1]), cell_data))
+            self.vertex_count += points.shape[1]
+        if coordinates:
+            self.out.coordinates = np.concatenate(coordinates, axis=1)
+            self.out.point_data = joined([points for points, _ in data])
+            self.out.cell_data = joined([cells for _, cells in data])
+        return self.out.mesh()
+
+    def count(self, piece: Element, name: str) -> int:
+        """An attribute of a piece that counts; nothing is allocated from it."""
+        text = piece.attributes.get(name, "")
+        if not text.strip().isdigit() or len(text) > 18:
+            raise self.arrays.error(piece, f"{name} is ‘{text[:40]}’, expected a whole number")
+        return int(text)
+
+    def section(self, piece: Element, name: str) -> Element:
+        element = piece.first(name)
+        if element is None:
+            raise self.arrays.error(piece, f"the piece has no element {name}")
+        return element
+
+    def points(self, piece: Element) -> Array:
+        """(3, n) float64."""
+        count = self.count(piece, "NumberOfPoints")
+        if not count:
+            return np.empty((3, 0))
+        element = self.section(piece, "Points").first("DataArray")
+        if element is None:
+            raise self.arrays.error(piece, "Points has no DataArray")
+        values = self.arrays.values(element, "the points")
+        if len(values) != 3 * count:
+            raise self.arrays.error(element, f"Points has {len(values)} numbers, expected {3 * count}")
+        points = np.empty((3, count))
+        points[:] = values.reshape(count, 3).T
+        check_finite(points, lambda message, _: self.arrays.error(element, message))
+        return points
+
+    def cells(self, piece: Element, points: Array) -> Array | None:
+        """Add the piece's cells; returns the rows that were kept, None for all."""
+        cells = self.section(piece, "Cells")
+        named = {child.attributes.get("Name", "").lower(): child for child in cells.all("DataArray")}
+        for name in ("connectivity", "offsets", "types"):
+            if name not in named:
+                raise self.arrays.error(cells, f"Cells has no DataArray {name}")
+        count = self.count(piece, "NumberOfCells")
+        ids = self.arrays.values(named["connectivity"], "connectivity")
+        ends = self.arrays.values(named["offsets"], "offsets")
+        types = self.arrays.values(named["types"], "types")
+        for name, values in (("offsets", ends), ("types", types), ("connectivity", ids)):
+            if values.dtype.kind not in "iu":
+                raise self.arrays.error(named[name], f"{name} are of type {values.dtype}, expected integers")
+            if name != "connectivity" and len(values) != count:
+                raise self.arrays.error(named[name], f"{len(values)} {name} for {count} cells")
+
+        def error_at(message: str, _: int) -> MeshReadError:
+            return self.arrays.error(named["connectivity"], message)
+
+        offsets = np.concatenate([np.zeros(1, np.int64), ends.astype(np.int64)])
+        starts, sizes, uniform = spans(offsets, len(ids), error_at)
+        part = Assembly(self.source, "vtu", points, notes=self.out.notes, left_out=self.out.left_out)
+        kept = add_cells(part, Rows(ids, starts, sizes, types, error_at, uniform))
+        first_cell = sum(block.corners.shape[1] for block in self.out.blocks)
+        for block in part.blocks:
+            self.out.add_piece(block, points.shape[1], self.vertex_count, first_cell)
+        return kept
+
+    def attributes(self, piece: Element, section: str, count: int) -> dict[str, Array]:
+        """The arrays of PointData or CellData, (count, k)."""
+        out: dict[str, Array] = {}
+        element = piece.first(section)
+        for child in element.all("DataArray") if element else []:
+            name = child.attributes.get("Name", "") or "unnamed"
+            if child.attributes.get("type") == "String":
+                continue
+            values = native(self.arrays.values(child, f"the array ‘{name}’"))
+            if not count or len(values) % count:
+                self.out.note(f"The array {name} has {len(values)} numbers for {count} entries: left out.")
+                continue
+            out[free_name(out, name)] = values.reshape(count, len(values) // count)
+        return out
+
+
+def joined(pieces: list[dict[str, Array]]) -> dict[str, Array]:
+    """Arrays of several pieces, one after the other; those that every piece has in the same width."""
+    if len(pieces) == 1:
+        return pieces[0]
+    out = {}
+    for name, values in pieces[0].items():
+        parts = [piece[name] for piece in pieces if name in piece]
+        if len(parts) == len(pieces) and all(part.shape[1] == values.shape[1] for part in parts):
+            out[name] = np.concatenate(parts)
+    return out
