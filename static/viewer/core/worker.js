@@ -23,6 +23,7 @@ async function boot(runtime) {
     lockFileURL: `${runtime}pyodide-lock.json`,
     stdLibURL: `${runtime}python_stdlib.zip`,
     packages: ["hexalab"],
+    convertNullToNone: true,
     checkIntegrity: true,
   });
   const interpreter = performance.now();
