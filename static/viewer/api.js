@@ -1,0 +1,119 @@
+/**
+ * `window.hexalab`: the viewer for scripts, tests and embedding pages (SPEC A3).
+ *
+ * In an iframe the same methods answer `postMessage`: send `{hexalab: "open", id: 1, args: [url]}` to the frame, and
+ * `{hexalab: "open", id: 1, result}` or `{hexalab: "open", id: 1, error}` comes back. When the viewer is ready it
+ * posts `{hexalab: "ready"}` to its parent.
+ */
+export class HexaLab {
+  #app;
+
+  /** Resolves when the core runs. @type {Promise<void>} */
+  ready;
+
+  /** @param {import("./app.js").App} app */
+  constructor(app) {
+    this.#app = app;
+    this.ready = app.client.ready.then(() => undefined);
+  }
+
+  /**
+   * Open a mesh.
+   *
+   * @param {File | Blob | string} fileOrUrl a file, an address, or "source/mesh" of the catalogue
+   * @returns {Promise<any>} the mesh's summary: name, vertices, cells, kinds, boundary_faces, ...
+   */
+  async open(fileOrUrl) {
+    if (fileOrUrl instanceof Blob) {
+      const file = fileOrUrl instanceof File ? fileOrUrl : new File([fileOrUrl], "mesh");
+      return this.#app.openFiles([file]);
+    }
+    const catalogue = await this.#app.catalogue;
+    const [source, mesh] = fileOrUrl.split("/");
+    if (mesh && catalogue?.entry(source, mesh)) return this.#app.openEntry(source, mesh);
+    return this.#app.openUrl(fileOrUrl);
+  }
+
+  /** Summary of the open mesh, with what the diagnosis knows by now, or null. @returns {any} */
+  summary() {
+    const { facts } = this.#app;
+    const summary = facts.get("summary");
+    return summary ? { ...summary, ...facts.get("description"), shown: facts.get("shown") } : null;
+  }
+
+  /** The status document: a copy. @returns {any} */
+  getStatus() {
+    return structuredClone(this.#app.store.status);
+  }
+
+  /**
+   * Apply a whole or partial status document.
+   *
+   * @param {any} partial
+   * @returns {Promise<{ path: string, found: string, expected: string }[]>} what was wrong in it, once the rest is applied and drawn
+   */
+  async setStatus(partial) {
+    const problems = await this.#app.documents.apply(partial);
+    await this.#app.drawing.drawn();
+    return problems;
+  }
+
+  /** Resolves when the lighting has converged. @returns {Promise<void>} */
+  async settled() {
+    await this.#app.drawing.drawn();
+    await this.#app.scene.settled();
+  }
+
+  /**
+   * @param {{ width?: number, height?: number, transparent?: boolean }} [options] pixels; as large as the canvas without
+   * @returns {Promise<Blob>} a PNG that carries the status
+   */
+  screenshot(options = {}) {
+    return this.#app.saving.picture(options);
+  }
+
+  /** Statistics of a metric over the mesh. @param {string} metric id @returns {Promise<any>} */
+  quality(metric) {
+    return this.#app.client.call("quality", [metric]);
+  }
+
+  /** What is drawn at the moment: faces, triangles, edges, cells. @returns {any} */
+  drawn() {
+    return this.#app.scene.drawn();
+  }
+
+  /** Milliseconds of the last boot, read, topology, quality, surface, upload, first_picture, slice, ambient_occlusion. @returns {Record<string, number>} */
+  timings() {
+    return { ...this.#app.facts.get("timings"), ...this.#app.scene.timings };
+  }
+}
+
+const METHODS = [
+  "open",
+  "summary",
+  "getStatus",
+  "setStatus",
+  "settled",
+  "screenshot",
+  "quality",
+  "drawn",
+  "timings",
+];
+
+/** Answer the embedding page. @param {HexaLab} api */
+export function answerMessages(api) {
+  window.addEventListener("message", async ({ data, source }) => {
+    if (source !== parent || parent === window || !METHODS.includes(data?.hexalab)) return;
+    const { hexalab: method, id, args = [] } = data;
+    try {
+      const result = await /** @type {any} */ (api)[method](...args);
+      parent.postMessage({ hexalab: method, id, result }, "*");
+    } catch (error) {
+      parent.postMessage(
+        { hexalab: method, id, error: error instanceof Error ? error.message : String(error) },
+        "*",
+      );
+    }
+  });
+  if (parent !== window) api.ready.then(() => parent.postMessage({ hexalab: "ready" }, "*")).catch(() => {});
+}

@@ -1,0 +1,82 @@
+import { cameraOnCell } from "../state/camera.js";
+import { dig, isolate, undig } from "../state/picking.js";
+
+/** What can be done to single cells: inspect, fly to, pick, show those of a finding. */
+export class Cells {
+  #app;
+  #asked = 0;
+
+  /** @param {any} app */
+  constructor(app) {
+    this.#app = app;
+  }
+
+  /** Show a cell in the inspector, or close it. @param {number | null} cell */
+  async inspect(cell) {
+    const { facts, client, messages, scene } = this.#app;
+    const asked = ++this.#asked;
+    if (cell === null) {
+      scene.highlight(null);
+      return facts.set({ cell: null });
+    }
+    try {
+      const found = await client.call("inspect", [cell], { replace: "inspect" });
+      if (asked === this.#asked) facts.set({ cell: found });
+    } catch (error) {
+      if (asked === this.#asked) messages.error(error, { topic: "inspect" });
+    }
+  }
+
+  /** Bring a cell before the camera, and inspect it. @param {number} cell */
+  async flyTo(cell) {
+    const { client, store, messages } = this.#app;
+    try {
+      const view = await client.call("cell_view", [cell]);
+      store.seal();
+      store.set({ camera: cameraOnCell(store.status.camera, view) });
+      await this.inspect(cell);
+    } catch (error) {
+      messages.error(error, { topic: "inspect" });
+    }
+  }
+
+  /** @param {"dig" | "undig" | "isolate"} action @param {number} cell */
+  pick(action, cell) {
+    const { store } = this.#app;
+    const { picking } = store.status.filters;
+    const next = { dig, undig, isolate: (/** @type {any} */ _, /** @type {number} */ one) => isolate([one]) }[
+      action
+    ](picking, cell);
+    store.seal();
+    store.set({ filters: { picking: next } });
+  }
+
+  /** What a click on a face does. @param {string} tool @param {{ face: number, cell: number }} hit */
+  async act(tool, hit) {
+    const { client, facts, messages } = this.#app;
+    if (tool === "undig") {
+      const behind = await client
+        .call("neighbour", [hit.face])
+        .catch((/** @type {Error} */ error) => messages.error(error, { topic: "pick" }));
+      if (behind >= 0) this.pick("undig", behind);
+      return;
+    }
+    if (tool === "dig" || tool === "isolate") this.pick(tool, hit.cell);
+    else this.inspect(hit.cell);
+    if (tool === "isolate") facts.set({ tool: "turn" });
+  }
+
+  /** Isolate the cells of a finding. @param {{ id: string, message: string }} finding */
+  async showFinding(finding) {
+    const { client, store, messages } = this.#app;
+    try {
+      const cells = await client.call("finding_cells", [finding.id]);
+      if (!cells.length)
+        return messages.say("note", `${finding.message}: no cells to show`, { topic: "finding" });
+      store.seal();
+      store.set({ filters: { picking: isolate(cells) } });
+    } catch (error) {
+      messages.error(error, { topic: "finding" });
+    }
+  }
+}

@@ -1,0 +1,85 @@
+/**
+ * Settings documents that come from outside: files, pictures, the clipboard, a link, the editor, scripts. The core
+ * checks each; what is wrong is named and the rest applies.
+ */
+export class Documents {
+  #app;
+
+  /** @param {any} app */
+  constructor(app) {
+    this.#app = app;
+  }
+
+  /**
+   * @param {any} document whole or partial, ours or the original's
+   * @returns {Promise<{ path: string, found: string, expected: string }[]>} what could not be applied
+   */
+  async apply(document) {
+    const { client, store, messages, facts } = this.#app;
+    await client.ready;
+    const { partial, problems } = await client.call("check", [document]);
+    const { mesh, ...settings } = partial;
+    store.seal();
+    store.set(settings, {});
+    store.seal();
+    if (problems.length) messages.say("warning", problemsInWords(problems), { topic: "status" });
+    if (mesh && !this.#isOpen(mesh)) this.#offer(mesh, document, facts.get("catalogue"));
+    return problems;
+  }
+
+  /** The same from text. @param {string} text @param {string} from what the text is, for the message */
+  async applyText(text, from) {
+    try {
+      return await this.apply(parse(text, from));
+    } catch (error) {
+      this.#app.messages.error(error, { topic: "status" });
+      return null;
+    }
+  }
+
+  /** The present status as a document. */
+  text() {
+    return `${JSON.stringify(this.#app.store.status, null, 2)}\n`;
+  }
+
+  /** @param {{ sha256?: string, name?: string, cells?: number }} mesh */
+  #isOpen(mesh) {
+    const open = this.#app.store.status.mesh;
+    return mesh.sha256 && open.sha256
+      ? mesh.sha256 === open.sha256
+      : mesh.name === open.name && mesh.cells === open.cells;
+  }
+
+  /** Offer the mesh that the settings were made with, if the catalogue has it. @param {any} mesh @param {any} document @param {any} catalogue */
+  #offer(mesh, document, catalogue) {
+    const entry = catalogue?.identified(mesh);
+    if (!entry) return;
+    const press = () => this.#app.openEntry(entry.source.slug, entry.mesh.slug, document);
+    this.#app.messages.say("note", `These settings were made with ${entry.mesh.name} of the catalogue`, {
+      topic: "offer",
+      action: { name: "open it", press },
+    });
+  }
+}
+
+/** @param {string} text @param {string} from @returns {any} */
+export function parse(text, from) {
+  try {
+    const document = JSON.parse(text);
+    if (typeof document === "object" && document !== null && !Array.isArray(document)) return document;
+  } catch (cause) {
+    throw new Error(`${from} holds no settings: it is not JSON (${/** @type {Error} */ (cause).message})`, {
+      cause,
+    });
+  }
+  throw new Error(`${from} holds no settings: found ${text.trim().slice(0, 20)}, expected an object`);
+}
+
+/** @param {readonly { path: string, found: string, expected: string }[]} problems */
+export function problemsInWords(problems) {
+  const named = problems
+    .slice(0, 3)
+    .map(({ path, found, expected }) => `${path || "the document"}: found ${found}, expected ${expected}`);
+  const more = problems.length > 3 ? `; and ${problems.length - 3} more` : "";
+  return `${named.join("; ")}${more}. The rest was applied.`;
+}

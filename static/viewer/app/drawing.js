@@ -1,0 +1,126 @@
+import { Superseded } from "../core/client.js";
+import { normalised } from "../state/vectors.js";
+
+/** The settings that the core has to act on; all others concern the scene alone. */
+export const CORE_PATHS = [
+  "filters",
+  "separation.mode",
+  "separation.gap",
+  "separation.radius",
+  "colour.by",
+  "colour.metric",
+  "colour.attribute",
+  "colour.range",
+  "silhouette",
+  "irregular",
+];
+
+/** @param {readonly string[]} changed */
+export function concernsCore(changed) {
+  return changed.some((path) => CORE_PATHS.some((core) => path === core || path.startsWith(`${core}.`)));
+}
+
+/**
+ * Status to core to scene: every change goes to the scene at once, and to the core where it concerns the core, whose
+ * buffers go to the scene when they come. A newer change replaces one that still waits.
+ */
+export class Drawing {
+  #store;
+  #client;
+  #scene;
+  #facts;
+  #messages;
+  #ready = false;
+  /** @type {Promise<void>} */
+  #latest = Promise.resolve();
+
+  /** @param {{ store: any, client: any, scene: any, facts: any, messages: any }} parts */
+  constructor({ store, client, scene, facts, messages }) {
+    this.#store = store;
+    this.#client = client;
+    this.#scene = scene;
+    this.#facts = facts;
+    this.#messages = messages;
+    scene.setStatus(store.status);
+    store.on("*", (/** @type {any} */ status, /** @type {readonly string[]} */ changed) => {
+      if (!changed.length) return;
+      scene.setStatus(status);
+      if (concernsCore(changed)) this.update();
+      if (this.#facts.get("planeShown")) this.#showPlane();
+    });
+    facts.on("planeShown", () => this.#showPlane());
+  }
+
+  /** Whether the core holds the mesh on the screen. @param {boolean} ready */
+  set ready(ready) {
+    this.#ready = ready;
+  }
+
+  /** Ask the core for what the present status shows. @param {any} [partial] @returns {Promise<void>} */
+  update(partial) {
+    if (this.#ready) this.#latest = this.#ask(partial ?? this.#store.status);
+    return this.#latest;
+  }
+
+  /** Resolves when nothing is asked for any more and the picture of it has been drawn. */
+  async drawn() {
+    /** @type {Promise<void> | null} */
+    let last = null;
+    while (last !== this.#latest) {
+      last = this.#latest;
+      await last;
+    }
+    await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+  }
+
+  /** Show a surface that was prepared at build time, before the core runs. @param {any} answer */
+  show(answer) {
+    this.#take(answer);
+  }
+
+  /** @param {any} status */
+  async #ask(status) {
+    const began = performance.now();
+    try {
+      const answer = await this.#client.call("update", [status], { replace: "update" });
+      this.#messages.settle("update");
+      this.#take(answer);
+      const timings = { ...this.#facts.get("timings"), ...answer.timings, slice: performance.now() - began };
+      this.#facts.set({ timings });
+    } catch (error) {
+      if (!(error instanceof Superseded)) this.#messages.error(error, { topic: "update" });
+    }
+  }
+
+  /** @param {any} answer */
+  #take(answer) {
+    const scene = this.#scene;
+    const began = performance.now();
+    if (answer.surface) scene.setSurface(answer.surface);
+    if (answer.silhouette) scene.setSilhouette(answer.silhouette);
+    if (answer.irregular) scene.setIrregular(answer.irregular);
+    if ("colour" in answer) scene.setCellColours(answer.colour?.map_position ?? null);
+    const upload = performance.now() - began;
+    this.#facts.set({
+      shown: { cells: answer.shown_cells, faces: answer.shown_faces },
+      ...("colour" in answer ? { colour: answer.colour } : {}),
+      ...(answer.irregular?.counts ? { irregular: answer.irregular.counts } : {}),
+      ...(answer.max_depth !== undefined && answer.max_depth !== null
+        ? { layers: answer.max_depth + 1 }
+        : {}),
+      ...(answer.plane_ranges ? { planeRanges: answer.plane_ranges } : {}),
+      timings: { ...this.#facts.get("timings"), upload },
+    });
+  }
+
+  /** The translucent plane, while its slider is held. */
+  #showPlane() {
+    const { items } = this.#store.status.filters.planes;
+    const index = this.#facts.get("plane") ?? 0;
+    const plane = items[Math.min(index, items.length - 1)];
+    const range = this.#facts.get("planeRanges")?.[index];
+    if (!plane || !range || !this.#facts.get("planeShown")) return this.#scene.showPlane(null);
+    const offset = range[0] + plane.offset * (range[1] - range[0]);
+    this.#scene.showPlane({ normal: normalised(plane.normal), offset, extent: 1 });
+  }
+}

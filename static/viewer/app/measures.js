@@ -1,0 +1,62 @@
+import { Superseded } from "../core/client.js";
+import { qualitySource } from "../panels/quality_source.js";
+import { metricOf } from "../state/tables.js";
+
+/**
+ * Keeps statistics, histogram and the mesh's description up to date: each is asked for after the picture stands, and
+ * again when what it is about changes.
+ */
+export class Measures {
+  #app;
+
+  /** @param {any} app */
+  constructor(app) {
+    this.#app = app;
+    app.store.on("colour", () => this.#measure());
+    app.store.on("histogram.bins", () => this.#measure());
+  }
+
+  /** Everything about a mesh that was just opened. */
+  async fill() {
+    const { facts, drawing, client } = this.#app;
+    await this.#measure();
+    const summary = facts.get("summary");
+    const description = await this.#ask("describe", [], "describe");
+    if (!description || facts.get("summary") !== summary) return;
+    const depths = description.cells_per_depth?.length;
+    facts.set({ description, ...(depths ? { layers: depths } : {}) });
+    this.#app.note({ topology: client.milliseconds?.describe });
+    await drawing.update({});
+  }
+
+  /** Statistics and histogram of the metric or attribute that is looked at. */
+  async #measure() {
+    const { facts, store, tables, client } = this.#app;
+    const summary = facts.get("summary");
+    if (!summary || facts.get("core") !== "ready") return;
+    const { id } = qualitySource(this.#app);
+    const { bins } = store.status.histogram;
+    const known = facts.get("histogram");
+    if (known?.source === id && known.asked === bins) return;
+    const statistics =
+      facts.get("statistics")?.[id] ??
+      (metricOf(tables, id) ? await this.#ask("quality", [id], "quality") : null);
+    const histogram = await this.#ask("histogram", [id, bins], "histogram");
+    if (!histogram || facts.get("summary") !== summary || qualitySource(this.#app).id !== id) return;
+    facts.set({
+      statistics: { ...facts.get("statistics"), ...(statistics ? { [id]: statistics } : {}) },
+      histogram: { ...histogram, source: id, asked: bins },
+    });
+    this.#app.note({ quality: client.milliseconds?.quality });
+  }
+
+  /** @param {string} method @param {any[]} args @param {string} replace @returns {Promise<any>} null if it was superseded or failed */
+  async #ask(method, args, replace) {
+    try {
+      return await this.#app.client.call(method, args, { replace });
+    } catch (error) {
+      if (!(error instanceof Superseded)) this.#app.messages.error(error, { topic: method });
+      return null;
+    }
+  }
+}

@@ -1,0 +1,46 @@
+/**
+ * Messages that stay until they are read: no dialogs, no alerts.
+ *
+ * @typedef {{ id: number, severity: "error" | "warning" | "note", text: string, action?: { name: string, press: () => void }, topic?: string }} Message
+ */
+export class Messages {
+  #facts;
+  #last = 0;
+
+  /** @param {import("../state/facts.js").Facts} facts */
+  constructor(facts) {
+    this.#facts = facts;
+    facts.set({ messages: [] });
+  }
+
+  /**
+   * @param {Message["severity"]} severity @param {string} text
+   * @param {{ topic?: string, action?: Message["action"] }} [options] a newer message on a topic takes the older one's place
+   */
+  say(severity, text, { topic, action } = {}) {
+    const message = { id: ++this.#last, severity, text, action, topic };
+    const others = this.#all.filter((one) => one.text !== text && (!topic || one.topic !== topic));
+    this.#facts.set({ messages: [...others, message].slice(-4) });
+  }
+
+  /** What went wrong, in one sentence. @param {unknown} error @param {{ topic?: string }} [options] */
+  error(error, options) {
+    this.say("error", error instanceof Error ? error.message : String(error), options);
+  }
+
+  /** @param {number} id */
+  dismiss(id) {
+    this.#facts.set({ messages: this.#all.filter((one) => one.id !== id) });
+  }
+
+  /** Take back what was said on a topic. @param {string} topic */
+  settle(topic) {
+    if (this.#all.some((one) => one.topic === topic))
+      this.#facts.set({ messages: this.#all.filter((one) => one.topic !== topic) });
+  }
+
+  /** @returns {Message[]} */
+  get #all() {
+    return this.#facts.get("messages");
+  }
+}

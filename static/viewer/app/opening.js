@@ -1,0 +1,171 @@
+import { Superseded } from "../core/client.js";
+import { download } from "../catalogue/download.js";
+import { unpack } from "../catalogue/packing.js";
+import { count } from "../state/numbers.js";
+
+/**
+ * Where a mesh comes from. `bytes` may be called again, when the core had to be restarted.
+ *
+ * @typedef {object} Source
+ * @property {string} name
+ * @property {(report: (fraction: number | null, text?: string) => void) => Promise<ArrayBuffer>} bytes
+ * @property {{ source: any, mesh: any } | null} [entry] of the catalogue
+ * @property {any} [status] partial document to apply with the mesh
+ */
+
+/** @param {File} file @returns {Source} */
+export function fromFile(file) {
+  return { name: file.name, bytes: () => file.arrayBuffer() };
+}
+
+/** @param {string} address @returns {Source} */
+export function fromUrl(address) {
+  const name = decodeURIComponent(new URL(address, location.href).pathname.split("/").pop() || "mesh");
+  return { name, bytes: (report) => download(address, report) };
+}
+
+/**
+ * Opens meshes, one at a time: a newer one takes the place of one that is still being read; a file that can't be read
+ * leaves the mesh on the screen as it is.
+ */
+export class Opening {
+  #app;
+  #turn = 0;
+  /** @type {Source | null} */
+  #current = null;
+
+  /** @param {any} app */
+  constructor(app) {
+    this.#app = app;
+  }
+
+  /**
+   * @param {Source} source
+   * @returns {Promise<any>} the mesh's summary
+   * @throws {Superseded} if another mesh was opened meanwhile
+   * @throws {Error} what could not be read, in words that were also shown
+   */
+  async open(source) {
+    const { progress, messages, client } = this.#app;
+    const turn = ++this.#turn;
+    const began = performance.now();
+    const task = progress.begin(`fetching ${source.name}`);
+    const current = () => {
+      if (turn !== this.#turn) throw new Superseded();
+    };
+    try {
+      const preview = this.#preview(source, current);
+      const bytes = await source.bytes((fraction, text) => task.report(fraction, text));
+      current();
+      task.report(null, this.#app.facts.get("core") === "ready" ? this.#reading(source) : "starting Python");
+      await client.ready;
+      current();
+      task.report(null, this.#reading(source));
+      const summary = await client.call("open", [source.name, bytes], { replace: "open" });
+      current();
+      const previewed = await preview;
+      this.#current = source;
+      messages.settle("open");
+      await this.#begin(source, summary, previewed);
+      this.#app.note({
+        ...client.milliseconds_of?.("open"),
+        read: summary.timings?.read ?? client.milliseconds?.open,
+      });
+      this.#app.note({ first_picture: performance.now() - began });
+      task.end();
+      this.#app.measures.fill();
+      return summary;
+    } catch (error) {
+      if (!(error instanceof Superseded)) messages.error(error, { topic: "open" });
+      throw error;
+    } finally {
+      task.end();
+    }
+  }
+
+  /** Open the present mesh again, after the core was restarted. */
+  async reopen() {
+    if (!this.#current) return;
+    const { client, drawing, measures } = this.#app;
+    const bytes = await this.#current.bytes(() => {});
+    await client.call("open", [this.#current.name, bytes], { replace: "open" });
+    drawing.ready = true;
+    await drawing.update();
+    measures.fill();
+  }
+
+  /** @param {Source} source */
+  #reading(source) {
+    const cells = source.entry?.mesh.cells;
+    return cells ? `reading ${count(cells)} cells` : `reading ${source.name}`;
+  }
+
+  /**
+   * Make a mesh the one on the screen.
+   *
+   * @param {Source} source @param {any} summary @param {boolean} previewed whether its preview is on the screen already
+   */
+  async #begin(source, summary, previewed) {
+    const { facts, drawing, documents } = this.#app;
+    if (!previewed) this.#enter(source, summary);
+    facts.set({ summary });
+    this.#identify(source, summary);
+    drawing.ready = true;
+    if (source.status) await documents.apply(source.status);
+    await drawing.update();
+    await drawing.drawn();
+  }
+
+  /** Clear away what belonged to the mesh before. @param {Source} source @param {any} summary */
+  #enter(source, summary) {
+    const { facts, store, scene, drawing } = this.#app;
+    const { filters, camera } = store.defaults;
+    const { by, attribute } = store.status.colour;
+    const known =
+      by !== "attribute" || summary.attributes?.some((/** @type {any} */ one) => one.id === attribute);
+    drawing.ready = false;
+    store.set(
+      { filters, camera, colour: { range: null, ...(known ? {} : { by: "sides", attribute: "" }) } },
+      { undo: false },
+    );
+    store.forget();
+    scene.setMesh(summary);
+    facts.set({
+      summary,
+      entry: source.entry ?? null,
+      source: source.entry?.source ?? null,
+      description: null,
+      statistics: {},
+      histogram: null,
+      irregular: null,
+      shown: null,
+      colour: null,
+      layers: null,
+      cell: null,
+      plane: 0,
+      tool: "turn",
+    });
+  }
+
+  /** @param {Source} source @param {any} summary */
+  #identify(source, summary) {
+    const sha256 = source.entry?.mesh.sha256 ?? "";
+    this.#app.store.set({ mesh: { name: source.name, cells: summary.cells, sha256 } }, { undo: false });
+  }
+
+  /** Show a catalogue mesh's preview while the core starts. @param {Source} source @param {() => void} current @returns {Promise<boolean>} */
+  async #preview(source, current) {
+    const address = source.entry?.mesh.preview;
+    if (!address || this.#app.facts.get("core") === "ready") return false;
+    try {
+      const packed = unpack(await download(address, () => {}));
+      current();
+      if (this.#app.facts.get("core") === "ready") return false;
+      this.#enter(source, packed.summary);
+      this.#app.drawing.show(packed);
+      return true;
+    } catch {
+      return false; // the mesh itself is on its way
+    }
+  }
+}

@@ -1,0 +1,86 @@
+import { niceTicks } from "./ticks.js";
+
+/**
+ * Where the parts of a histogram stand: pure geometry, for the page and for export alike.
+ *
+ * @typedef {object} HistogramData
+ * @property {ArrayLike<number>} edges bins + 1 values, rising
+ * @property {ArrayLike<number>} counts
+ * @property {ArrayLike<number>} map_position of each bin on the colour map
+ * @property {number} low
+ * @property {number} high
+ *
+ * @typedef {{ width: number, height: number, orientation: "horizontal" | "vertical", scale: "linear" | "log" }} Frame
+ * @typedef {{ x: number, y: number, width: number, height: number }} Box
+ *
+ * @typedef {object} Layout
+ * @property {Box} plot
+ * @property {boolean} upright bars stand on the value axis; else they lie along it
+ * @property {number} low
+ * @property {number} high
+ * @property {number} highest the largest count
+ * @property {{ box: Box, bin: number }[]} bars
+ * @property {{ value: number, at: number }[]} ticks
+ */
+
+const MARGIN = { top: 16, right: 8, bottom: 20, left: 8 };
+const LYING_LEFT = 44;
+
+/** @param {HistogramData} data @param {Frame} frame @returns {Layout} */
+export function layOut(data, { width, height, orientation, scale }) {
+  const upright = orientation === "horizontal";
+  const left = upright ? MARGIN.left : LYING_LEFT;
+  const bottom = upright ? MARGIN.bottom : MARGIN.right;
+  const plot = {
+    x: left,
+    y: MARGIN.top,
+    width: Math.max(1, width - left - MARGIN.right),
+    height: Math.max(1, height - MARGIN.top - bottom),
+  };
+  const low = Number(data.edges[0]);
+  const high = Number(data.edges[data.edges.length - 1]);
+  const counts = Array.from(data.counts, Number);
+  const highest = Math.max(0, ...counts);
+  const share =
+    scale === "log"
+      ? (/** @type {number} */ n) => Math.log1p(n) / Math.log1p(highest)
+      : (/** @type {number} */ n) => n / highest;
+  const layout = { plot, upright, low, high, highest };
+  const bars = counts.flatMap((n, bin) => {
+    if (!n) return [];
+    const from = along(layout, Number(data.edges[bin]));
+    const to = along(layout, Number(data.edges[bin + 1]));
+    return [
+      {
+        bin,
+        box: barBox(layout, Math.min(from, to), Math.abs(to - from), Math.max(share(n), 1 / span(layout))),
+      },
+    ];
+  });
+  const ticks = niceTicks(low, high, upright ? 5 : 7).map((value) => ({ value, at: along(layout, value) }));
+  return { ...layout, bars, ticks };
+}
+
+/** Length of the count axis in pixels. @param {{ plot: Box, upright: boolean }} layout */
+function span({ plot, upright }) {
+  return upright ? plot.height : plot.width;
+}
+
+/** @param {{ plot: Box, upright: boolean }} layout @param {number} from @param {number} size @param {number} share @returns {Box} */
+function barBox({ plot, upright }, from, size, share) {
+  if (upright)
+    return { x: from, y: plot.y + plot.height * (1 - share), width: size, height: plot.height * share };
+  return { x: plot.x, y: from, width: plot.width * share, height: size };
+}
+
+/** Pixel of a value along the value axis. @param {{ plot: Box, upright: boolean, low: number, high: number }} layout @param {number} value */
+export function along({ plot, upright, low, high }, value) {
+  const share = high > low ? Math.min(1, Math.max(0, (value - low) / (high - low))) : 0.5;
+  return upright ? plot.x + share * plot.width : plot.y + (1 - share) * plot.height;
+}
+
+/** Value at a pixel: the inverse of `along`. @param {Layout} layout @param {number} pixel */
+export function valueUnder({ plot, upright, low, high }, pixel) {
+  const share = upright ? (pixel - plot.x) / plot.width : 1 - (pixel - plot.y) / plot.height;
+  return low + Math.min(1, Math.max(0, share)) * (high - low);
+}

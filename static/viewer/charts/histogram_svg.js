@@ -1,0 +1,99 @@
+import { s } from "../widgets/dom.js";
+import { along } from "./histogram_layout.js";
+import { tickText } from "./ticks.js";
+
+/**
+ * @typedef {import("./histogram_layout.js").Layout} Layout
+ * @typedef {import("./histogram_layout.js").HistogramData} HistogramData
+ *
+ * @typedef {object} Look
+ * @property {(position: number) => string} colour of the map
+ * @property {string} ink
+ * @property {string} quiet
+ * @property {string} line
+ * @property {readonly [number | null, number | null] | null} acceptable
+ */
+
+/**
+ * The histogram's marks as SVG, colours as attributes so that the drawing stands alone in a file.
+ *
+ * @param {Layout} layout @param {HistogramData} data @param {Look} look @returns {SVGElement[]}
+ */
+export function marks(layout, data, look) {
+  return [
+    ...axis(layout, look),
+    ...bars(layout, data, look),
+    ...bracket(layout, look),
+    ...countLabel(layout, look),
+  ];
+}
+
+/** @param {Layout} layout @param {HistogramData} data @param {Look} look */
+function bars({ bars, upright }, data, { colour }) {
+  return bars.map(({ box, bin }) => {
+    const gap = (upright ? box.width : box.height) > 3 ? 0.5 : 0;
+    const inner = upright ? { ...box, width: box.width - gap } : { ...box, height: box.height - gap };
+    const title = s(
+      "title",
+      {},
+      `${tickText(Number(data.edges[bin]))} to ${tickText(Number(data.edges[bin + 1]))}: ${data.counts[bin]}`,
+    );
+    return s(
+      "rect",
+      { ...rounded(inner), fill: colour(Number(data.map_position[bin])), class: "bar" },
+      title,
+    );
+  });
+}
+
+/** @param {import("./histogram_layout.js").Box} box */
+function rounded({ x, y, width, height }) {
+  const two = (/** @type {number} */ value) => Math.round(value * 100) / 100;
+  return { x: two(x), y: two(y), width: two(width), height: two(height) };
+}
+
+/** @param {Layout} layout @param {Look} look */
+function axis({ plot, upright, ticks }, { quiet, line }) {
+  const base = upright
+    ? { x1: plot.x, x2: plot.x + plot.width, y1: plot.y + plot.height + 0.5, y2: plot.y + plot.height + 0.5 }
+    : { x1: plot.x - 0.5, x2: plot.x - 0.5, y1: plot.y, y2: plot.y + plot.height };
+  const labels = ticks.map(({ value, at }, index) => {
+    const place = upright
+      ? { x: at, y: plot.y + plot.height + 15, "text-anchor": anchor(at, plot, index, ticks.length) }
+      : { x: plot.x - 6, y: at + 4, "text-anchor": "end" };
+    return s("text", { ...place, fill: quiet, "font-size": 11 }, tickText(value));
+  });
+  return [s("line", { ...base, stroke: line }), ...labels];
+}
+
+/** Keeps the outermost labels inside. @param {number} at @param {{ x: number, width: number }} plot @param {number} index @param {number} count */
+function anchor(at, plot, index, count) {
+  if (index === 0 && at - plot.x < 8) return "start";
+  if (index === count - 1 && plot.x + plot.width - at < 8) return "end";
+  return "middle";
+}
+
+/** The acceptable range beside the bars. @param {Layout} layout @param {Look} look */
+function bracket(layout, { acceptable, quiet }) {
+  if (!acceptable) return [];
+  const { plot, upright, low, high } = layout;
+  const [from, to] = [acceptable[0] ?? low, acceptable[1] ?? high].map((value) =>
+    along(layout, Math.min(high, Math.max(low, value))),
+  );
+  if (Math.abs(to - from) < 1) return [];
+  const top = plot.y - 8;
+  const right = plot.x + plot.width + 3;
+  const path = upright
+    ? `M${from} ${top + 5}V${top}H${to}V${top + 5}`
+    : `M${right - 4} ${from}H${right}V${to}H${right - 4}`;
+  const title = s("title", {}, "Acceptable range");
+  return [s("path", { d: path, fill: "none", stroke: quiet, "stroke-width": 1, class: "bracket" }, title)];
+}
+
+/** The largest count, where its bar ends. @param {Layout} layout @param {Look} look */
+function countLabel({ plot, upright, highest }, { quiet }) {
+  const place = upright
+    ? { x: plot.x, y: 10, "text-anchor": "start" }
+    : { x: plot.x + plot.width, y: 10, "text-anchor": "end" };
+  return [s("text", { ...place, fill: quiet, "font-size": 11 }, highest.toLocaleString("en-GB"))];
+}

@@ -1,0 +1,49 @@
+import { h } from "../widgets/dom.js";
+import { icon } from "../widgets/icons.js";
+import { copyField, dialog } from "./dialog.js";
+
+/** Link, embedding, and the settings as text and file (SPEC S2). @param {import("../widgets/bind.js").Context} context */
+export function shareDialog({ app, facts }) {
+  const link = copyField("Link");
+  const frame = copyField("Embed", true);
+  const local = h(
+    "p",
+    { class: "quiet", hidden: true },
+    "The mesh is a file of yours: the link carries the view, and whoever opens it has to add the mesh.",
+  );
+  const settings = copyField("Settings", true);
+  const edit = () => {
+    element.close();
+    /** @type {HTMLDialogElement} */ (document.getElementById("status-editor")).showModal();
+  };
+  const actions = h(
+    "div",
+    { class: "actions" },
+    h(
+      "button",
+      { type: "button", class: "button", onclick: () => app.saving.saveStatus() },
+      icon("save"),
+      "Save as a file",
+    ),
+    h(
+      "button",
+      { type: "button", class: "button", onclick: () => document.getElementById("file")?.click() },
+      icon("open"),
+      "Load",
+    ),
+    h("button", { type: "button", class: "button", onclick: edit }, icon("edit"), "Edit"),
+  );
+  const element = dialog(
+    "share",
+    "Share",
+    [link.element, frame.element, local, settings.element, actions],
+    async () => {
+      local.hidden = !facts.get("summary") || new URLSearchParams(location.search).has("mesh");
+      settings.show(app.documents.text());
+      const address = await app.saving.link();
+      link.show(address);
+      frame.show(`<iframe src="${address}" width="960" height="640" title="HexaLab"></iframe>`);
+    },
+  );
+  return element;
+}

@@ -1,0 +1,40 @@
+import { parse, problemsInWords } from "../app/documents.js";
+import { h } from "../widgets/dom.js";
+import { dialog } from "./dialog.js";
+
+/** The settings as text that can be edited (SPEC S2). @param {import("../widgets/bind.js").Context} context */
+export function statusDialog({ app }) {
+  const text = h("textarea", {
+    class: "text status-text",
+    rows: 24,
+    spellcheck: "false",
+    autocomplete: "off",
+    "aria-label": "Settings as JSON",
+  });
+  const problem = h("p", { class: "problem", role: "alert" });
+  const apply = h("button", { type: "button", class: "button button-strong", onclick: run }, "Apply");
+  const again = h("button", { type: "button", class: "button", onclick: fill }, "Take the present ones");
+
+  function fill() {
+    text.value = app.documents.text();
+    problem.textContent = "";
+  }
+
+  async function run() {
+    try {
+      const problems = await app.documents.apply(parse(text.value, "the text"));
+      problem.textContent = problems.length ? problemsInWords(problems) : "";
+      if (!problems.length) element.close();
+    } catch (error) {
+      problem.textContent = error instanceof Error ? error.message : String(error);
+    }
+  }
+
+  const element = dialog(
+    "status-editor",
+    "Settings",
+    [text, problem, h("div", { class: "dialog-end" }, again, apply)],
+    fill,
+  );
+  return element;
+}

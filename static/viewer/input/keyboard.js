@@ -1,0 +1,31 @@
+import { KEYS, nameOfKey } from "./keys.js";
+import { isTyping } from "./typing.js";
+
+/** Controls that use Enter themselves. */
+const PRESSABLE = "button, a, summary, input, select";
+
+/** @param {import("../app.js").App} app @param {import("../page/page.js").Page} page */
+export function listenToKeys(app, page) {
+  window.addEventListener("keydown", (event) => {
+    if (
+      event.defaultPrevented ||
+      event.altKey ||
+      isTyping(event.target) ||
+      document.querySelector("dialog[open]")
+    )
+      return;
+    const target = /** @type {Element} */ (event.target);
+    if (event.key === "Enter" && target.matches?.(PRESSABLE)) return;
+    if (event.key.startsWith("Page") && target.closest?.("#panel")) return;
+    const name = nameOfKey(event);
+    if (name === "?" || name === "h") {
+      event.preventDefault();
+      page.dialogs.help.showModal();
+      return;
+    }
+    const row = KEYS.find(({ keys }) => keys.includes(name));
+    if (!row) return;
+    event.preventDefault();
+    row.press(app, event);
+  });
+}

@@ -1,0 +1,203 @@
+import { VIEWS, zoomedCamera } from "../state/camera.js";
+import { fromView, inverted, withPlane } from "../state/planes.js";
+
+/**
+ * The keyboard as a table, F3D's keys where they fit. The cheat sheet is made from it.
+ *
+ * @typedef {import("../app.js").App} App
+ * @typedef {{ keys: readonly string[], group: string, what: string, press: (app: App, event: KeyboardEvent) => void }} KeyRow
+ *   `keys` as in KeyboardEvent.key, "Ctrl+" before it where that is held
+ */
+
+/** @template T @param {readonly T[]} list @param {T} value @returns {T} */
+const next = (list, value) => list[(list.indexOf(value) + 1) % list.length];
+
+/** @param {string} section */
+function unfold(section) {
+  const element = /** @type {HTMLDetailsElement | null} */ (document.getElementById(`section-${section}`));
+  if (!element) return;
+  element.open = !element.open;
+  if (element.open) element.scrollIntoView({ block: "nearest" });
+}
+
+/** @param {string} tool @returns {KeyRow["press"]} */
+const toggleTool =
+  (tool) =>
+  ({ facts }) =>
+    facts.set({ tool: facts.get("tool") === tool ? "turn" : tool });
+
+/** @param {App} app @param {(plane: any) => any} change */
+function changePlane({ store, facts }, change) {
+  const { items } = store.status.filters.planes;
+  const index = Math.min(facts.get("plane"), items.length - 1);
+  if (items[index])
+    store.set({
+      filters: { planes: { enabled: true, items: withPlane(items, index, change(items[index])) } },
+    });
+}
+
+/** @param {number} step @returns {KeyRow["press"]} */
+const slideBy = (step) => (app) =>
+  changePlane(app, (plane) => ({
+    offset: Math.min(1, Math.max(0, Math.round((plane.offset + step) * 1000) / 1000)),
+  }));
+
+/** @param {string} name @returns {KeyRow["press"]} */
+const look =
+  (name) =>
+  ({ store }) =>
+    void store.set({ camera: VIEWS[name] });
+
+/** @type {readonly KeyRow[]} */
+export const KEYS = [
+  { group: "Mesh", keys: ["o"], what: "Open a file", press: () => document.getElementById("file")?.click() },
+  { group: "Mesh", keys: ["PageUp"], what: "Mesh before, in its source", press: (app) => app.openBeside(-1) },
+  { group: "Mesh", keys: ["PageDown"], what: "Mesh after, in its source", press: (app) => app.openBeside(1) },
+  { group: "Mesh", keys: ["m"], what: "Mesh section: fold, unfold", press: () => unfold("mesh") },
+  {
+    group: "Filters",
+    keys: ["v"],
+    what: "Slice from the view; with shift along the nearest axis",
+    press: (app, { shiftKey }) =>
+      changePlane(app, (plane) => fromView(plane, app.store.status.camera.direction, shiftKey)),
+  },
+  { group: "Filters", keys: ["f"], what: "Invert the slice", press: (app) => changePlane(app, inverted) },
+  { group: "Filters", keys: ["]"], what: "Slice further", press: slideBy(0.01) },
+  { group: "Filters", keys: ["["], what: "Slice back", press: slideBy(-0.01) },
+  { group: "Filters", keys: ["d"], what: "Dig: click hides a cell (or hold ctrl)", press: toggleTool("dig") },
+  {
+    group: "Filters",
+    keys: ["u"],
+    what: "Undig: click shows the cell behind (or hold shift)",
+    press: toggleTool("undig"),
+  },
+  {
+    group: "Filters",
+    keys: ["j"],
+    what: "Isolate: click hides all other cells",
+    press: toggleTool("isolate"),
+  },
+  {
+    group: "Filters",
+    keys: ["r"],
+    what: "Show everything: all filters reset",
+    press: ({ store }) => void store.set({ filters: store.defaults.filters }),
+  },
+  {
+    group: "Drawing",
+    keys: ["e"],
+    what: "Separation: next mode",
+    press: ({ store }) =>
+      void store.set({
+        separation: {
+          mode: next(["lines", "darkness_coded_edges", "fissure", "rounded"], store.status.separation.mode),
+        },
+      }),
+  },
+  {
+    group: "Drawing",
+    keys: ["c"],
+    what: "Colour: sides, quality, kind",
+    press: ({ store }) =>
+      void store.set({ colour: { by: next(["sides", "quality", "kind"], store.status.colour.by) } }),
+  },
+  {
+    group: "Drawing",
+    keys: ["y"],
+    what: "Colour map: next",
+    press: ({ store }) =>
+      void store.set({
+        colour: { map: next(["parula", "viridis", "jet", "red_blue"], store.status.colour.map) },
+      }),
+  },
+  {
+    group: "Drawing",
+    keys: ["s"],
+    what: "Metric: next",
+    press: ({ store, tables }) =>
+      void store.set({
+        colour: {
+          metric: next(
+            tables.metrics.map((/** @type {{ id: string }} */ metric) => metric.id),
+            store.status.colour.metric,
+          ),
+          range: null,
+        },
+      }),
+  },
+  {
+    group: "Drawing",
+    keys: ["i"],
+    what: "Irregular edges: next step",
+    press: ({ store }) => void store.set({ irregular: { mode: (store.status.irregular.mode + 1) % 7 } }),
+  },
+  {
+    group: "Drawing",
+    keys: ["q"],
+    what: "Ambient occlusion on, off",
+    press: ({ store }) =>
+      void store.set({
+        lighting: { mode: store.status.lighting.mode === "object_space_ao" ? "direct" : "object_space_ao" },
+      }),
+  },
+  { group: "Drawing", keys: ["b"], what: "Quality section: fold, unfold", press: () => unfold("quality") },
+  { group: "View", keys: ["1"], what: "From the front", press: look("front") },
+  { group: "View", keys: ["3"], what: "From the right", press: look("right") },
+  { group: "View", keys: ["7"], what: "From the top", press: look("top") },
+  { group: "View", keys: ["9"], what: "Isometric", press: look("isometric") },
+  { group: "View", keys: ["2"], what: "From the back", press: look("back") },
+  { group: "View", keys: ["4"], what: "From the left", press: look("left") },
+  { group: "View", keys: ["8"], what: "From below", press: look("bottom") },
+  {
+    group: "View",
+    keys: ["5"],
+    what: "Perspective, orthographic",
+    press: ({ store }) =>
+      void store.set({
+        camera: { projection: next(["perspective", "orthographic"], store.status.camera.projection) },
+      }),
+  },
+  {
+    group: "View",
+    keys: ["Enter"],
+    what: "Reset the camera",
+    press: ({ store }) => void store.set({ camera: store.defaults.camera }),
+  },
+  {
+    group: "View",
+    keys: ["+", "="],
+    what: "Nearer",
+    press: ({ store }) =>
+      void store.set({ camera: zoomedCamera(store.status.camera, 1 / 1.2) }, { undo: "zoom" }),
+  },
+  {
+    group: "View",
+    keys: ["-"],
+    what: "Further",
+    press: ({ store }) =>
+      void store.set({ camera: zoomedCamera(store.status.camera, 1.2) }, { undo: "zoom" }),
+  },
+  { group: "Page", keys: ["Ctrl+z"], what: "Undo", press: ({ store }) => void store.undo() },
+  { group: "Page", keys: ["Ctrl+Shift+z", "Ctrl+y"], what: "Redo", press: ({ store }) => void store.redo() },
+  {
+    group: "Page",
+    keys: ["Escape"],
+    what: "Back to turning; close the inspector",
+    press: (app) => (app.facts.set({ tool: "turn" }), void app.inspect(null)),
+  },
+];
+
+/** Keys that are not in the table, for the cheat sheet. @type {readonly { group: string, keys: readonly string[], what: string }[]} */
+export const OTHER_KEYS = [
+  { group: "View", keys: ["Arrows"], what: "Turn the picture that has the focus; with shift, move it" },
+  { group: "View", keys: ["Double click"], what: "Make this point the centre" },
+  { group: "Page", keys: ["Ctrl+c"], what: "Copy the settings" },
+  { group: "Page", keys: ["Ctrl+v"], what: "Apply settings from the clipboard" },
+  { group: "Page", keys: ["?", "h"], what: "This sheet" },
+];
+
+/** The name of a pressed key as the table has it. @param {KeyboardEvent} event */
+export function nameOfKey({ key, ctrlKey, metaKey, shiftKey }) {
+  const held = ctrlKey || metaKey ? `Ctrl+${shiftKey ? "Shift+" : ""}` : "";
+  return held + (key.length === 1 ? key.toLowerCase() : key);
+}

@@ -1,0 +1,85 @@
+/**
+ * What the pointer does on the picture: turn (a click inspects), dig, undig, isolate; ctrl held digs, shift held
+ * undigs. The face a click would act on is highlighted before.
+ */
+export class Tools {
+  #app;
+  #canvas;
+  #held = "";
+  /** @type {{ x: number, y: number } | null} */
+  #place = null;
+  #looking = false;
+
+  /** @param {import("../app.js").App} app @param {HTMLCanvasElement} canvas */
+  constructor(app, canvas) {
+    this.#app = app;
+    this.#canvas = canvas;
+    app.scene.on("click", (/** @type {any} */ at) => this.#click(at));
+    app.scene.on("hover", (/** @type {any} */ at) => this.#hover(at));
+    app.facts.on("tool", () => this.#show());
+    window.addEventListener("keydown", (event) => this.#hold(event));
+    window.addEventListener("keyup", (event) => this.#hold(event));
+    window.addEventListener("blur", () => this.#setHeld(""));
+    this.#show();
+  }
+
+  /** The tool at hand, held keys first. */
+  get tool() {
+    return this.#held || this.#app.facts.get("tool");
+  }
+
+  /** @param {KeyboardEvent} event */
+  #hold({ ctrlKey, metaKey, shiftKey }) {
+    this.#setHeld(ctrlKey || metaKey ? "dig" : shiftKey ? "undig" : "");
+  }
+
+  /** @param {string} held */
+  #setHeld(held) {
+    if (held === this.#held) return;
+    this.#held = held;
+    this.#show();
+  }
+
+  #show() {
+    this.#canvas.dataset.tool = this.tool;
+    if (this.#place) this.#look();
+  }
+
+  /** @param {{ x: number, y: number, event: PointerEvent }} at */
+  async #click({ x, y, event }) {
+    if (!this.#app.facts.get("shown")) return;
+    const tool =
+      event.ctrlKey || event.metaKey ? "dig" : event.shiftKey ? "undig" : this.#app.facts.get("tool");
+    const hit = await this.#app.scene.pick(x, y);
+    if (hit) await this.#app.cells.act(tool, hit);
+    else if (tool === "turn" || tool === "inspect") this.#app.inspect(null);
+  }
+
+  /** @param {{ x: number, y: number } | null} at */
+  #hover(at) {
+    this.#place = at;
+    this.#look();
+  }
+
+  /** Look up the face under the pointer, one look at a time. */
+  #look() {
+    if (this.#looking) return;
+    this.#looking = true;
+    requestAnimationFrame(async () => {
+      this.#looking = false;
+      const { scene, facts } = this.#app;
+      const place = this.#place;
+      const hit = place && facts.get("shown") ? await scene.pick(place.x, place.y) : null;
+      if (place !== this.#place) return;
+      scene.highlight(hit && this.tool !== "turn" ? hit.face : null);
+      this.#tell(hit);
+    });
+  }
+
+  /** @param {{ cell: number } | null} hit */
+  #tell(hit) {
+    const { facts } = this.#app;
+    if (hit?.cell === facts.get("hover")?.cell) return;
+    facts.set({ hover: hit ? { cell: hit.cell } : null });
+  }
+}

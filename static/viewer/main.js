@@ -1,0 +1,67 @@
+import { answerMessages, HexaLab } from "./api.js";
+import { App } from "./app.js";
+import { CoreClient } from "./core/client.js";
+import { listenToClipboard } from "./input/clipboard.js";
+import { listenToDrops } from "./input/drop.js";
+import { listenToKeys } from "./input/keyboard.js";
+import { Tools } from "./input/tools.js";
+import { Page } from "./page/page.js";
+import { BlankScene } from "./page/blank_scene.js";
+import { Scene } from "./scene/scene.js";
+import { Facts } from "./state/facts.js";
+import { statusFromHash } from "./state/link.js";
+import { StatusStore } from "./state/store.js";
+import { readTables } from "./state/tables.js";
+
+const { worker, runtime, root } = document.documentElement.dataset;
+const tables = readTables(document);
+const store = new StatusStore(tables.defaults);
+const facts = new Facts();
+const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById("canvas"));
+const client = new CoreClient({
+  worker: new URL(/** @type {string} */ (worker), document.baseURI),
+  runtime: new URL(/** @type {string} */ (runtime), document.baseURI),
+});
+const { scene, problem } = makeScene();
+const app = new App({ store, facts, client, scene, tables, root: /** @type {string} */ (root) });
+const page = new Page({ store, facts, app, tables }, canvas);
+
+app.start();
+if (problem) app.messages.say("error", problem);
+new Tools(app, canvas);
+listenToDrops(app);
+listenToKeys(app, page);
+listenToClipboard(app);
+
+const api = new HexaLab(app);
+Object.assign(window, { hexalab: api });
+answerMessages(api);
+openWhatTheAddressNames().catch(() => {}); // said in a message by whoever failed
+
+/** @returns {{ scene: any, problem: string }} a scene that draws nothing where the browser lacks WebGL 2 */
+function makeScene() {
+  try {
+    return { scene: new Scene(canvas), problem: "" };
+  } catch (error) {
+    const reason = error instanceof Error ? error.message : String(error);
+    return {
+      scene: new BlankScene(),
+      problem: `This browser can't draw the mesh (WebGL 2: ${reason}); its tables are here all the same`,
+    };
+  }
+}
+
+/** `?mesh=source/mesh` or `?mesh=address`, and the status in the hash. */
+async function openWhatTheAddressNames() {
+  const status = await statusFromHash(location.hash).catch((error) => void app.messages.error(error));
+  const mesh = new URLSearchParams(location.search).get("mesh");
+  if (mesh && /^[\w.-]+\/[\w.-]+$/.test(mesh)) await app.openEntry(...pair(mesh), status);
+  else if (mesh) await app.openUrl(new URL(mesh, document.baseURI).href, status);
+  else if (status) await app.documents.apply(status);
+}
+
+/** @param {string} path @returns {[string, string]} */
+function pair(path) {
+  const [source, mesh] = path.split("/");
+  return [source, mesh];
+}

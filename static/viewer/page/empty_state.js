@@ -1,0 +1,30 @@
+import { watch } from "../widgets/bind.js";
+import { h } from "../widgets/dom.js";
+
+/** What stands where the mesh will be. @param {import("../widgets/bind.js").Context} context */
+export function emptyState(context) {
+  const formats = context.tables.formats.flatMap(({ extensions }) => extensions).join(" ");
+  const open = h(
+    "button",
+    {
+      type: "button",
+      class: "button button-strong",
+      onclick: () => document.getElementById("file")?.click(),
+    },
+    "Open a mesh",
+  );
+  const catalogue = h("a", { href: context.app.root, class: "link" }, "choose one from the catalogue");
+  const element = h(
+    "div",
+    { class: "empty" },
+    h("p", { class: "empty-title" }, "Drop a hexahedral mesh anywhere"),
+    h("p", {}, open, " or ", catalogue),
+    h("p", { class: "empty-formats" }, formats),
+  );
+  watch(
+    context,
+    { facts: ["summary", "progress"] },
+    () => void (element.hidden = Boolean(context.facts.get("summary"))),
+  );
+  return element;
+}

@@ -1,0 +1,71 @@
+import { watch } from "../widgets/bind.js";
+import { h } from "../widgets/dom.js";
+import { icon } from "../widgets/icons.js";
+
+/**
+ * Messages over the picture's lower edge: they stay until dismissed, and can be copied.
+ *
+ * @param {import("../widgets/bind.js").Context} context
+ */
+export function messageList(context) {
+  const list = h("ul", { class: "messages", role: "log", "aria-live": "polite", "aria-label": "Messages" });
+  /** @type {Map<number, HTMLElement>} */
+  const shown = new Map();
+  watch(context, { facts: ["messages"] }, () => {
+    const messages = context.facts.get("messages");
+    const ids = new Set(messages.map((/** @type {any} */ message) => message.id));
+    for (const [id, element] of shown) {
+      if (ids.has(id)) continue;
+      element.remove();
+      shown.delete(id);
+    }
+    for (const message of messages) {
+      if (shown.has(message.id)) continue;
+      const element = line(context, message);
+      shown.set(message.id, element);
+      list.append(element);
+    }
+  });
+  return list;
+}
+
+/** @param {import("../widgets/bind.js").Context} context @param {import("../app/messages.js").Message} message */
+function line({ app }, message) {
+  const { id, severity, text, action } = message;
+  const act =
+    action &&
+    h(
+      "button",
+      { type: "button", class: "link", onclick: () => (app.messages.dismiss(id), action.press()) },
+      action.name,
+    );
+  const copy = h(
+    "button",
+    {
+      type: "button",
+      class: "button button-icon plain",
+      title: "Copy",
+      "aria-label": "Copy this message",
+      onclick: () => navigator.clipboard?.writeText(text),
+    },
+    icon("copy"),
+  );
+  const close = h(
+    "button",
+    {
+      type: "button",
+      class: "button button-icon plain",
+      title: "Dismiss",
+      "aria-label": "Dismiss this message",
+      onclick: () => app.messages.dismiss(id),
+    },
+    icon("clear"),
+  );
+  const words = h(
+    "span",
+    { class: "message-text" },
+    h("span", { class: "visually-hidden" }, `${severity}: `),
+    text,
+  );
+  return h("li", { class: `message message-${severity}` }, words, act, copy, close);
+}

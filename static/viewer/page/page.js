@@ -1,0 +1,56 @@
+import { drawing } from "../panels/drawing.js";
+import { filters } from "../panels/filters.js";
+import { inspector } from "../panels/inspector.js";
+import { mesh } from "../panels/mesh.js";
+import { quality } from "../panels/quality.js";
+import { structure } from "../panels/structure.js";
+import { surroundings } from "../panels/surroundings.js";
+import { renderSection } from "../widgets/section.js";
+import { bar } from "./bar.js";
+import { helpDialog } from "../dialogs/help.js";
+import { imageDialog } from "../dialogs/image.js";
+import { shareDialog } from "../dialogs/share.js";
+import { statusDialog } from "../dialogs/status_editor.js";
+import { messageList } from "./message_list.js";
+import { progressBar } from "./progress_bar.js";
+import { emptyState } from "./empty_state.js";
+import { statusLine } from "./status_line.js";
+import { pictureInWords } from "./picture_in_words.js";
+
+/** The panel's sections, in their order. */
+export const SECTIONS = [mesh, filters, drawing, quality, structure, surroundings];
+
+/** Everything of the page around the canvas. */
+export class Page {
+  /** @param {import("../widgets/bind.js").Context} context @param {HTMLCanvasElement} canvas */
+  constructor(context, canvas) {
+    this.dialogs = {
+      help: helpDialog(context),
+      image: imageDialog(context, canvas),
+      share: shareDialog(context),
+      status: statusDialog(context),
+    };
+    place("bar", ...bar(context, this.dialogs));
+    place("panel", ...SECTIONS.map((section) => renderSection(context, section)));
+    place("view", progressBar(context), emptyState(context), inspector(context), messageList(context));
+    place("status-line", ...statusLine(context));
+    document.body.append(...Object.values(this.dialogs));
+    pictureInWords(context, canvas);
+    followSize(context, canvas);
+  }
+}
+
+/** @param {string} id @param {...Node} nodes */
+function place(id, ...nodes) {
+  document.getElementById(id)?.append(...nodes);
+}
+
+/** @param {import("../widgets/bind.js").Context} context @param {HTMLCanvasElement} canvas */
+function followSize({ app }, canvas) {
+  const resize = () => {
+    const { clientWidth, clientHeight } = canvas;
+    if (clientWidth && clientHeight) app.scene.resize(clientWidth, clientHeight, devicePixelRatio);
+  };
+  new ResizeObserver(resize).observe(canvas);
+  window.addEventListener("resize", resize);
+}

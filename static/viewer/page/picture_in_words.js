@@ -1,0 +1,52 @@
+import { kindsInWords } from "../panels/mesh.js";
+import { qualitySource } from "../panels/quality_source.js";
+import { decimal } from "../state/numbers.js";
+import { watch } from "../widgets/bind.js";
+import { setText } from "../widgets/dom.js";
+import { shownInWords } from "./status_line.js";
+
+/**
+ * The picture's text equivalent (SPEC V8), as the canvas' description.
+ *
+ * @param {import("../widgets/bind.js").Context} context @param {HTMLCanvasElement} canvas
+ */
+export function pictureInWords(context, canvas) {
+  const caption = /** @type {HTMLElement} */ (document.getElementById("picture-in-words"));
+  watch(
+    context,
+    { status: ["filters", "colour", "separation.mode"], facts: ["summary", "shown", "statistics"] },
+    () => {
+      const words = sentences(context);
+      setText(caption, words.join(" "));
+      canvas.setAttribute("aria-label", words[0] ?? "No mesh is open");
+    },
+  );
+}
+
+/** @param {import("../widgets/bind.js").Context} context @returns {string[]} */
+function sentences(context) {
+  const { facts, store } = context;
+  const summary = facts.get("summary");
+  if (!summary) return [];
+  const { filters, colour } = store.status;
+  const source = qualitySource(context);
+  const statistics = facts.get("statistics")?.[source.id];
+  const cuts = filters.planes.enabled
+    ? filters.planes.items.filter((/** @type {any} */ plane) => plane.enabled && plane.offset > 0)
+    : [];
+  return [
+    `${summary.name}: ${kindsInWords(summary.kinds)}.`,
+    `${shownInWords(context)}.`,
+    ...cuts.map(
+      (/** @type {any} */ { normal, offset }) =>
+        `Cut at ${decimal(offset)} along ${normal.map((/** @type {number} */ x) => decimal(x, 2)).join(", ")}.`,
+    ),
+    filters.peel.enabled && filters.peel.depth ? `Peeled by ${filters.peel.depth}.` : "",
+    colour.by === "sides"
+      ? "Boundary faces and exposed faces differ in colour."
+      : `Coloured by ${colour.by === "kind" ? "cell kind" : source.name}.`,
+    statistics
+      ? `${source.name}: from ${decimal(statistics.min)} to ${decimal(statistics.max)}, mean ${decimal(statistics.mean)}.`
+      : "",
+  ].filter(Boolean);
+}

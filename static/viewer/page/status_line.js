@@ -1,0 +1,39 @@
+import { count, counted, decimal } from "../state/numbers.js";
+import { watch } from "../widgets/bind.js";
+import { h, setText } from "../widgets/dom.js";
+
+/** Shown and all cells at the left, the cell under the pointer at the right. @param {import("../widgets/bind.js").Context} context */
+export function statusLine(context) {
+  const shown = h("span", { role: "status" });
+  const hover = h("span", { class: "hover-cell" });
+  watch(context, { facts: ["shown", "summary"] }, () => setText(shown, shownInWords(context)));
+  watch(context, { facts: ["hover", "tool"] }, () => setText(hover, hoverInWords(context)));
+  return [shown, hover];
+}
+
+/** @param {import("../widgets/bind.js").Context} context */
+export function shownInWords({ facts }) {
+  const summary = facts.get("summary");
+  const shown = facts.get("shown");
+  if (!summary) return "";
+  if (!shown) return counted(summary.cells, "cell");
+  if (!shown.cells) return `no cell shown of ${count(summary.cells)}`;
+  return `${count(shown.cells)} of ${counted(summary.cells, "cell")} shown, ${counted(shown.faces, "face")}`;
+}
+
+/** @type {Record<string, string>} */
+const TOOL_WORDS = {
+  dig: "click a face to hide its cell",
+  undig: "click a face to show the cell behind it",
+  isolate: "click a cell to hide all others",
+  inspect: "click a cell to inspect it",
+};
+
+/** @param {import("../widgets/bind.js").Context} context */
+function hoverInWords({ facts }) {
+  const hover = facts.get("hover");
+  const tool = TOOL_WORDS[facts.get("tool")] ?? "";
+  if (!hover) return tool;
+  const value = hover.value === undefined ? "" : `, ${decimal(hover.value)}`;
+  return [`cell ${hover.cell}${value}`, tool].filter(Boolean).join(" · ");
+}

@@ -1,0 +1,149 @@
+/** @typedef {import("../widgets/bind.js").Context} Context */
+
+/** The slider of each separation mode: which setting it moves. @type {Record<string, { path: string, name: string, range: readonly [number, number, number] }>} */
+const SEPARATION_SLIDERS = {
+  lines: { path: "line_opacity", name: "Darkness", range: [0, 1, 0.01] },
+  darkness_coded_edges: { path: "line_opacity", name: "Darkness", range: [0, 1, 0.01] },
+  fissure: { path: "gap", name: "Gap", range: [0.04, 0.2, 0.005] },
+  rounded: { path: "radius", name: "Radius", range: [0.04, 0.2, 0.005] },
+};
+
+/** @param {string} setting @returns {import("../widgets/bind.js").Control} */
+function separationSlider(setting) {
+  const modes = Object.keys(SEPARATION_SLIDERS).filter((mode) => SEPARATION_SLIDERS[mode].path === setting);
+  const { name, range } = SEPARATION_SLIDERS[modes[0]];
+  return {
+    kind: "slider",
+    id: `separation-${setting}`,
+    label: name,
+    path: `separation.${setting}`,
+    status: ["separation.mode"],
+    range,
+    hidden: ({ store }) => !modes.includes(store.status.separation.mode),
+  };
+}
+
+/** @param {Context} context */
+const colouredBy = ({ store }) => store.status.colour.by;
+
+/** @type {import("../widgets/section.js").Section} */
+export const drawing = {
+  id: "drawing",
+  title: "Drawing",
+  open: true,
+  controls: [
+    {
+      kind: "choice",
+      id: "separation",
+      label: "Separation",
+      hint: "How cells are told apart (E)",
+      path: "separation.mode",
+      options: [
+        { value: "lines", name: "Lines" },
+        { value: "darkness_coded_edges", name: "Darkness-coded edges" },
+        { value: "fissure", name: "Fissure" },
+        { value: "rounded", name: "Rounded" },
+      ],
+    },
+    separationSlider("line_opacity"),
+    separationSlider("gap"),
+    separationSlider("radius"),
+    {
+      kind: "choice",
+      id: "colour-by",
+      label: "Colour",
+      hint: "What the faces are coloured by (C)",
+      path: "colour.by",
+      facts: ["summary"],
+      options: ({ facts, store }) => [
+        { value: "sides", name: "Outside and inside" },
+        { value: "quality", name: "Quality" },
+        ...(facts.get("summary")?.attributes?.length || store.status.colour.by === "attribute"
+          ? [{ value: "attribute", name: "Attribute" }]
+          : []),
+        { value: "kind", name: "Cell kind" },
+      ],
+      write: (by, { facts, store }) => {
+        const first = facts.get("summary")?.attributes?.[0]?.id ?? "";
+        return {
+          colour: {
+            by,
+            ...(by === "attribute" && !store.status.colour.attribute ? { attribute: first } : {}),
+          },
+        };
+      },
+      why: (context) =>
+        colouredBy(context) === "kind" && Object.keys(context.facts.get("summary")?.kinds ?? {}).length === 1
+          ? "all cells are of one kind"
+          : "",
+    },
+    {
+      kind: "colours",
+      label: "",
+      status: ["colour.by"],
+      items: [
+        { path: "colour.outside", name: "Out" },
+        { path: "colour.inside", name: "In" },
+      ],
+      hidden: (context) => colouredBy(context) !== "sides",
+    },
+    {
+      kind: "choice",
+      id: "colour-map",
+      label: "Map",
+      path: "colour.map",
+      status: ["colour.by"],
+      options: [
+        { value: "parula", name: "Parula" },
+        { value: "viridis", name: "Viridis" },
+        { value: "jet", name: "Jet" },
+        { value: "red_blue", name: "Red-Blue" },
+      ],
+      hidden: (context) => !["quality", "attribute"].includes(colouredBy(context)),
+    },
+    {
+      kind: "numbers",
+      id: "colour-range",
+      label: "Range",
+      hint: "Values at the ends of the map; empty: the mesh's own",
+      status: ["colour.by", "colour.range"],
+      facts: ["colour"],
+      items: [rangeField(0, "low"), rangeField(1, "high")],
+      hidden: (context) => !["quality", "attribute"].includes(colouredBy(context)),
+    },
+    {
+      kind: "slider",
+      id: "silhouette",
+      label: "Silhouette",
+      hint: "The outline of what is hidden: none, flat, shaded",
+      path: "silhouette",
+      facts: ["shown", "summary"],
+      range: [0, 1, 0.05],
+      digits: 2,
+      why: ({ facts }) => {
+        const shown = facts.get("shown")?.cells;
+        return shown !== undefined && shown === facts.get("summary")?.cells ? "nothing is hidden" : "";
+      },
+    },
+  ],
+};
+
+/** One end of the colour map's range. @param {0 | 1} end @param {string} name */
+function rangeField(end, name) {
+  const own = (/** @type {Context} */ { facts }) => {
+    const colour = facts.get("colour");
+    return [colour?.low ?? 0, colour?.high ?? 1];
+  };
+  return {
+    name,
+    optional: true,
+    placeholder: name,
+    read: (/** @type {Context} */ { store }) => store.status.colour.range?.[end] ?? null,
+    write: (/** @type {number | null} */ value, /** @type {Context} */ context) => {
+      if (value === null) return { colour: { range: null } };
+      const range = [...(context.store.status.colour.range ?? own(context))];
+      range[end] = value;
+      return range[0] < range[1] ? { colour: { range } } : null;
+    },
+  };
+}

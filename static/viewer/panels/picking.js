@@ -1,0 +1,73 @@
+import { clear, formatCells, isClear, isolate, parseCells } from "../state/picking.js";
+import { buttons, more } from "../widgets/controls.js";
+
+/**
+ * @typedef {import("../widgets/bind.js").Context} Context @typedef {import("../widgets/bind.js").Control} Control
+ * @typedef {import("../widgets/bind.js").Action} Action
+ */
+
+/** @param {Context} context @returns {import("../state/picking.js").Picking} */
+const pickingOf = ({ store }) => store.status.filters.picking;
+
+/** @param {Context} context */
+const cellsOf = ({ facts }) => facts.get("summary")?.cells ?? 0;
+
+/** @param {string} name @param {string} tool @param {string} hint @returns {Action} */
+const toolButton = (name, tool, hint) => ({
+  name,
+  text: name,
+  hint,
+  press: ({ facts }) => facts.set({ tool: facts.get("tool") === tool ? "turn" : tool }),
+  pressed: ({ facts }) => facts.get("tool") === tool,
+});
+
+/** Picked cells by number. @param {"hidden" | "shown"} list @param {string} label @returns {Control} */
+const byNumber = (list, label) => ({
+  kind: "text",
+  id: `pick-${list}`,
+  label,
+  hint: "3, 10-14",
+  status: [`filters.picking.${list}`],
+  read: (context) => formatCells(pickingOf(context)[list]),
+  box: { check: (value, context) => parseCells(value, cellsOf(context)).problem },
+  write: (value, context) => ({
+    filters: { picking: { enabled: true, [list]: parseCells(value, cellsOf(context)).cells } },
+  }),
+});
+
+/** Rows of hand-picking (SPEC F4). @type {readonly Control[]} */
+export const pickingControls = [
+  buttons({
+    label: "Pick",
+    enabled: "filters.picking.enabled",
+    facts: ["tool"],
+    items: [
+      toolButton("Dig", "dig", "A click hides a cell (D, or hold ctrl)"),
+      toolButton("Undig", "undig", "A click shows the hidden cell behind a face (U, or hold shift)"),
+      toolButton("Isolate", "isolate", "A click hides all other cells (J)"),
+    ],
+  }),
+  more("picking-more", "Picked cells by number", [
+    byNumber("hidden", "Hidden"),
+    byNumber("shown", "Shown"),
+    buttons({
+      label: "",
+      status: ["filters.picking"],
+      items: [
+        {
+          name: "Isolate the cells in “Shown”",
+          text: "Isolate shown",
+          disabled: (context) => !pickingOf(context).shown.length,
+          press: (context) => context.store.set({ filters: { picking: isolate(pickingOf(context).shown) } }),
+        },
+        {
+          name: "Clear what was picked",
+          text: "Clear",
+          icon: "clear",
+          disabled: (context) => isClear(pickingOf(context)),
+          press: (context) => context.store.set({ filters: { picking: clear() } }),
+        },
+      ],
+    }),
+  ]),
+];

@@ -1,0 +1,182 @@
+import { count, decimal } from "../state/numbers.js";
+import { watch } from "../widgets/bind.js";
+import { h } from "../widgets/dom.js";
+import { histogramPanel } from "../charts/histogram_panel.js";
+import { chooseSource, qualitySource, sourceOptions } from "./quality_source.js";
+
+/** @typedef {import("../widgets/bind.js").Context} Context */
+
+/** @type {import("../widgets/section.js").Section} */
+export const quality = {
+  id: "quality",
+  title: "Quality",
+  open: true,
+  controls: [
+    {
+      kind: "choice",
+      id: "metric",
+      label: "Metric",
+      hint: "What is measured (S)",
+      status: ["colour"],
+      facts: ["summary"],
+      options: sourceOptions,
+      read: (context) => qualitySource(context).id,
+      write: chooseSource,
+    },
+    { kind: "custom", render: histogramPanel },
+    { kind: "custom", render: digest },
+    {
+      kind: "more",
+      id: "histogram-more",
+      label: "Histogram",
+      items: [
+        {
+          kind: "choice",
+          id: "histogram-orientation",
+          label: "Bars",
+          path: "histogram.orientation",
+          options: [
+            { value: "horizontal", name: "upright" },
+            { value: "vertical", name: "lying" },
+          ],
+        },
+        {
+          kind: "choice",
+          id: "histogram-scale",
+          label: "Counts",
+          path: "histogram.scale",
+          options: [
+            { value: "linear", name: "linear" },
+            { value: "log", name: "logarithmic" },
+          ],
+        },
+        {
+          kind: "slider",
+          id: "histogram-bins",
+          label: "Bins",
+          path: "histogram.bins",
+          range: [10, 200, 10],
+          digits: 0,
+          box: { range: () => [1, 1000, 1] },
+        },
+        {
+          kind: "actions",
+          label: "Save as",
+          facts: ["histogram"],
+          items: ["png", "svg", "csv"].map((format) => ({
+            name: `Save the histogram as ${format.toUpperCase()}`,
+            text: format.toUpperCase(),
+            disabled: (/** @type {Context} */ { facts }) => !facts.get("histogram"),
+            press: (/** @type {Context} */ { app }) => app.saveHistogram(format),
+          })),
+        },
+      ],
+    },
+    {
+      kind: "more",
+      id: "statistics-more",
+      label: "Statistics and worst cells",
+      items: [
+        { kind: "custom", render: statisticsTable },
+        { kind: "custom", render: worstCells },
+      ],
+    },
+  ],
+};
+
+/** @param {Context} context @returns {any} */
+function statisticsOf(context) {
+  return context.facts.get("statistics")?.[qualitySource(context).id];
+}
+
+const WATCHED = { status: ["colour"], facts: ["statistics", "summary"] };
+
+/** Minimum, mean and what lies outside the acceptable range, in one line under the histogram. @param {Context} context */
+function digest(context) {
+  const element = h("dl", { class: "digest-line" });
+  watch(context, WATCHED, () => {
+    const statistics = statisticsOf(context);
+    element.hidden = !statistics;
+    if (!statistics) return;
+    const pairs = [
+      ["min", decimal(statistics.min)],
+      ["mean", decimal(statistics.mean)],
+      ["max", decimal(statistics.max)],
+    ];
+    element.replaceChildren(
+      ...pairs.map(([name, value]) => h("div", {}, h("dt", {}, name), h("dd", {}, value))),
+    );
+  });
+  return element;
+}
+
+/** @param {readonly [number | null, number | null]} range */
+function rangeInWords([low, high]) {
+  return `${low === null ? "−∞" : decimal(low, 2)} to ${high === null ? "∞" : decimal(high, 2)}`;
+}
+
+/** @param {any} statistics @param {import("./quality_source.js").Source} source @returns {[string, string][]} */
+function statisticsRows(statistics, source) {
+  const { percentiles = {} } = statistics;
+  /** @type {[string, string][]} */
+  const rows = [
+    ["Minimum", decimal(statistics.min)],
+    ["Maximum", decimal(statistics.max)],
+    ["Mean", decimal(statistics.mean)],
+    ["Median", decimal(statistics.median)],
+    ["Variance", decimal(statistics.variance)],
+    ["Percentiles 1, 5", `${decimal(percentiles["1"])}, ${decimal(percentiles["5"])}`],
+    ["25, 75", `${decimal(percentiles["25"])}, ${decimal(percentiles["75"])}`],
+    ["95, 99", `${decimal(percentiles["95"])}, ${decimal(percentiles["99"])}`],
+  ];
+  if (source.acceptable) {
+    rows.push(
+      ["Acceptable", rangeInWords(source.acceptable)],
+      ["Outside it", count(statistics.outside_acceptable)],
+    );
+  }
+  if (statistics.not_finite) rows.push(["Not finite", count(statistics.not_finite)]);
+  return rows;
+}
+
+/** @param {Context} context */
+function statisticsTable(context) {
+  const body = h("tbody");
+  const caption = h("caption", { class: "visually-hidden" });
+  const element = h("table", { class: "table" }, caption, body);
+  watch(context, WATCHED, () => {
+    const statistics = statisticsOf(context);
+    const source = qualitySource(context);
+    caption.textContent = `Statistics of ${source.name}`;
+    const rows = statistics ? statisticsRows(statistics, source) : [];
+    body.replaceChildren(
+      ...rows.map(([name, value]) => h("tr", {}, h("th", { scope: "row" }, name), h("td", {}, value))),
+    );
+  });
+  return element;
+}
+
+/** The worst cells by number; a click flies to the cell. @param {Context} context */
+function worstCells(context) {
+  const list = h("p", { class: "cell-list" });
+  watch(context, WATCHED, () => {
+    const worst = [...(statisticsOf(context)?.worst ?? [])].slice(0, 12);
+    list.hidden = !worst.length;
+    list.replaceChildren(
+      h("span", { class: "quiet" }, "Worst cells "),
+      ...worst.map((cell) =>
+        h(
+          "button",
+          {
+            type: "button",
+            class: "link",
+            title: "Fly to this cell",
+            onclick: () => context.app.flyTo(cell),
+          },
+          String(cell),
+        ),
+      ),
+    );
+  });
+  return list;
+}

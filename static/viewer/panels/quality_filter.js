@@ -1,0 +1,126 @@
+import {
+  boundedBy,
+  changedKeep,
+  KEEP_NAMES,
+  keepOf,
+  oneSided,
+  shareOf,
+  thresholdOf,
+} from "../state/quality_filter.js";
+import { qualitySource } from "./quality_source.js";
+
+/**
+ * @typedef {import("../widgets/bind.js").Context} Context
+ * @typedef {import("../state/quality_filter.js").Item} Item
+ */
+
+const ITEMS = "filters.quality.items";
+const FACTS = ["statistics", "histogram", "summary", "keep"];
+
+/** The band on what the Quality panel looks at, if there is one. @param {Context} context @returns {Item | undefined} */
+export function bandOf(context) {
+  const { id } = qualitySource(context);
+  return context.store.valueAt(ITEMS).find((/** @type {Item} */ item) => item.source === id);
+}
+
+/** The partial status in which the band of this source is another; null takes it away. @param {Context} context @param {Item | null} item */
+export function withBand(context, item) {
+  const { id } = qualitySource(context);
+  const others = context.store.valueAt(ITEMS).filter((/** @type {Item} */ one) => one.source !== id);
+  return { filters: { quality: { enabled: true, items: item ? [...others, item] : others } } };
+}
+
+/** Which end is kept: what the band says, or what was chosen while nothing is hidden yet. @param {Context} context */
+function currentKeep(context) {
+  const item = bandOf(context);
+  if (!item) return context.facts.get("keep") ?? "worst";
+  return keepOf(item, qualitySource(context));
+}
+
+/** @param {Context} context @returns {"worst" | "best"} */
+function oneEnd(context) {
+  return currentKeep(context) === "best" ? "best" : "worst";
+}
+
+/** @param {Context} context */
+const isTwoSided = (context) => ["band", "outside"].includes(currentKeep(context));
+
+/** @param {"minimum" | "maximum"} end */
+const endField = (end) => ({
+  name: end,
+  read: (/** @type {Context} */ context) => bandOf(context)?.[end] ?? null,
+  write: (/** @type {number | null} */ value, /** @type {Context} */ context) => {
+    const item =
+      bandOf(context) ?? changedKeep(qualitySource(context).id, "band", undefined, qualitySource(context));
+    return withBand(context, /** @type {Item} */ ({ ...item, [end]: value }));
+  },
+});
+
+/** Rows of the quality filter (SPEC F3); they stand in the Filters section. @type {import("../widgets/bind.js").Control[]} */
+export const qualityFilterControls = [
+  {
+    kind: "slider",
+    id: "quality-filter",
+    label: "Quality",
+    hint: "Hides cells by the metric chosen below; the box takes native values",
+    enabled: "filters.quality.enabled",
+    status: [ITEMS, "colour"],
+    facts: FACTS,
+    range: [0, 1, 0.001],
+    hidden: isTwoSided,
+    read: (context) => shareOf(bandOf(context), oneEnd(context), qualitySource(context)),
+    write: (share, context) => {
+      const source = qualitySource(context);
+      return withBand(context, oneSided(source.id, oneEnd(context), share, source));
+    },
+    box: {
+      initial: 0,
+      range: () => [-Infinity, Infinity, 0.01],
+      read: (/** @type {Context} */ context) => {
+        const source = qualitySource(context);
+        return (
+          thresholdOf(bandOf(context)) ?? (oneEnd(context) === "worst" ? source.bestValue : source.worstValue)
+        );
+      },
+      write: (/** @type {number} */ value, /** @type {Context} */ context) => {
+        const source = qualitySource(context);
+        return withBand(context, boundedBy(source.id, oneEnd(context), value, source));
+      },
+    },
+  },
+  {
+    kind: "numbers",
+    id: "quality-band",
+    label: "Quality",
+    enabled: "filters.quality.enabled",
+    status: [ITEMS, "colour"],
+    facts: FACTS,
+    hidden: (context) => !isTwoSided(context),
+    items: [
+      { ...endField("minimum"), optional: true, placeholder: "lowest" },
+      { ...endField("maximum"), optional: true, placeholder: "highest" },
+    ],
+  },
+  {
+    kind: "choice",
+    id: "quality-keep",
+    label: "",
+    status: [ITEMS, "colour"],
+    facts: FACTS,
+    options: (context) => {
+      const { symbol, name } = qualitySource(context);
+      return Object.entries(KEEP_NAMES).map(([value, text]) => ({
+        value,
+        name: `${text} (${symbol || name})`,
+      }));
+    },
+    read: currentKeep,
+    write: (keep, context) => {
+      context.facts.set({ keep });
+      const source = qualitySource(context);
+      const item = bandOf(context);
+      if (!item && (keep === "worst" || keep === "best")) return null;
+      return withBand(context, changedKeep(source.id, keep, item, source));
+    },
+  },
+];

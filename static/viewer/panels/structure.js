@@ -1,0 +1,131 @@
+import { count } from "../state/numbers.js";
+import { watch } from "../widgets/bind.js";
+import { h } from "../widgets/dom.js";
+
+/** @typedef {import("../widgets/bind.js").Context} Context */
+
+const STEPS = ["Off", "Wires", "Wires, through", "Barbed", "Barbed, through", "Paper", "Paper, through"];
+
+/** Rows of the legend: valence from, to, its words. Their colours stand in viewer.css as `.valence-…`. */
+const CLASSES = [
+  { name: "low", words: "2 and fewer", test: (/** @type {number} */ n) => n <= 2 },
+  { name: "three", words: "3", test: (/** @type {number} */ n) => n === 3 },
+  { name: "four", words: "4 (on the boundary)", test: (/** @type {number} */ n) => n === 4 },
+  { name: "five", words: "5", test: (/** @type {number} */ n) => n === 5 },
+  { name: "high", words: "6 and more", test: (/** @type {number} */ n) => n >= 6 },
+];
+
+/** @param {Context} context @returns {{ interior: Record<string, number>, boundary: Record<string, number> } | null} */
+function countsOf({ facts }) {
+  const drawn = facts.get("irregular");
+  if (drawn) return drawn;
+  const description = facts.get("description");
+  if (!description) return null;
+  const without = (/** @type {Record<string, number>} */ valences, /** @type {string} */ regular) =>
+    Object.fromEntries(Object.entries(valences ?? {}).filter(([valence]) => valence !== regular));
+  return {
+    interior: without(description.interior_edge_valence, "4"),
+    boundary: without(description.boundary_edge_valence, "2"),
+  };
+}
+
+/** @param {Record<string, number>} valences @param {(n: number) => boolean} test */
+function total(valences, test) {
+  return Object.entries(valences ?? {}).reduce(
+    (sum, [valence, n]) => (test(Number(valence)) ? sum + n : sum),
+    0,
+  );
+}
+
+/** @type {import("../widgets/section.js").Section} */
+export const structure = {
+  id: "structure",
+  title: "Structure",
+  digestOf: { facts: ["description", "irregular"] },
+  digest: (context) => {
+    const counts = countsOf(context);
+    return counts ? `${count(total(counts.interior, () => true))} irregular edges` : "";
+  },
+  controls: [
+    {
+      kind: "slider",
+      id: "irregular",
+      label: "Irregular",
+      hint: "Interior edges with other than four cells",
+      path: "irregular.mode",
+      facts: ["description", "irregular"],
+      status: ["irregular.boundary"],
+      range: [0, 6, 1],
+      names: STEPS,
+      why: (context) => {
+        const counts = countsOf(context);
+        const boundary = context.store.status.irregular.boundary;
+        return counts &&
+          !total(counts.interior, () => true) &&
+          !(boundary && total(counts.boundary, () => true))
+          ? "this mesh has no irregular edges"
+          : "";
+      },
+    },
+    {
+      kind: "toggle",
+      id: "irregular-boundary",
+      label: "Boundary",
+      hint: "Boundary edges with other than two cells, too",
+      path: "irregular.boundary",
+    },
+    { kind: "custom", render: legend },
+  ],
+};
+
+/** Counts by valence, each with the colour of its wires. @param {Context} context */
+function legend(context) {
+  const body = h("tbody");
+  const table = h(
+    "table",
+    { class: "table legend" },
+    h("caption", { class: "visually-hidden" }, "Irregular edges by number of cells around them"),
+    h(
+      "thead",
+      {},
+      h(
+        "tr",
+        {},
+        h("th", { scope: "col" }, "Cells around"),
+        h("th", { scope: "col" }, "Inside"),
+        h("th", { scope: "col" }, "Boundary"),
+      ),
+    ),
+    body,
+  );
+  watch(context, { facts: ["description", "irregular"] }, () => {
+    const counts = countsOf(context);
+    table.hidden = !counts;
+    if (!counts) return;
+    const rows = CLASSES.map(({ name, words, test }) => ({
+      name,
+      words,
+      inside: total(counts.interior, test),
+      outside: total(counts.boundary, test),
+    }));
+    body.replaceChildren(
+      ...rows
+        .filter(({ inside, outside }) => inside || outside)
+        .map(({ name, words, inside, outside }) =>
+          h(
+            "tr",
+            {},
+            h(
+              "th",
+              { scope: "row" },
+              h("span", { class: `valence valence-${name}`, "aria-hidden": "true" }),
+              words,
+            ),
+            h("td", {}, count(inside)),
+            h("td", {}, count(outside)),
+          ),
+        ),
+    );
+  });
+  return table;
+}

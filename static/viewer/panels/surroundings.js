@@ -1,0 +1,99 @@
+import { VIEWS } from "../state/camera.js";
+import { buttons } from "../widgets/controls.js";
+
+/** @typedef {import("../widgets/bind.js").Context} Context */
+
+/** @param {string} name @param {string} text @param {string} key @returns {import("../widgets/bind.js").Action} */
+const viewButton = (name, text, key) => ({
+  name: `View from ${name}`,
+  text,
+  hint: `View from ${name} (${key})`,
+  press: (/** @type {Context} */ { store }) => store.set({ camera: VIEWS[name] }),
+});
+
+/** @type {import("../widgets/section.js").Section} */
+export const surroundings = {
+  id: "surroundings",
+  title: "View and light",
+  controls: [
+    {
+      kind: "choice",
+      id: "lighting",
+      label: "Lighting",
+      hint: "Ambient occlusion on and off (Q)",
+      path: "lighting.mode",
+      options: [
+        { value: "object_space_ao", name: "Ambient occlusion, best" },
+        { value: "screen_space_ao", name: "Ambient occlusion, fast" },
+        { value: "direct", name: "Direct" },
+        { value: "none", name: "None" },
+      ],
+    },
+    {
+      kind: "colours",
+      id: "background",
+      label: "Background",
+      items: [{ path: "background", name: "Background" }],
+    },
+    buttons({
+      label: "Look from",
+      items: [
+        viewButton("front", "Front", "1"),
+        viewButton("right", "Right", "3"),
+        viewButton("top", "Top", "7"),
+        viewButton("isometric", "Iso", "9"),
+      ],
+    }),
+    buttons({
+      label: "",
+      items: [
+        viewButton("back", "Back", "2"),
+        viewButton("left", "Left", "4"),
+        viewButton("bottom", "Below", "8"),
+        {
+          name: "Reset the camera",
+          text: "Reset",
+          hint: "Reset the camera (Enter)",
+          press: ({ store }) => store.set({ camera: store.defaults.camera }),
+        },
+      ],
+    }),
+    {
+      kind: "choice",
+      id: "projection",
+      label: "Projection",
+      path: "camera.projection",
+      hint: "5",
+      options: [
+        { value: "perspective", name: "Perspective" },
+        { value: "orthographic", name: "Orthographic" },
+      ],
+    },
+    {
+      kind: "slider",
+      id: "field-of-view",
+      label: "Angle",
+      hint: "Vertical angle of view, degrees",
+      path: "camera.field_of_view",
+      status: ["camera.projection"],
+      range: [5, 90, 1],
+      digits: 0,
+      why: ({ store }) =>
+        store.status.camera.projection === "orthographic" ? "an orthographic view has no angle" : "",
+    },
+    {
+      kind: "slider",
+      id: "line-width",
+      label: "Line width",
+      hint: "In pixels",
+      path: "separation.line_width",
+      status: ["separation.mode", "irregular.mode"],
+      range: [0.5, 4, 0.25],
+      digits: 2,
+      why: ({ store }) =>
+        ["fissure", "rounded"].includes(store.status.separation.mode) && store.status.irregular.mode === 0
+          ? "no lines are drawn in this mode"
+          : "",
+    },
+  ],
+};

@@ -1,0 +1,34 @@
+import { normalised } from "./vectors.js";
+
+/**
+ * Camera settings (SPEC V6) as pure steps: views along the axes, zooming, flying to a cell.
+ *
+ * @typedef {import("./vectors.js").Vector} Vector
+ * @typedef {{ target: Vector, direction: Vector, up: Vector, distance: number, projection: string, field_of_view: number }} Camera
+ */
+
+/** Named views: direction looked in, and what is up. @type {Record<string, { direction: Vector, up: Vector }>} */
+export const VIEWS = {
+  front: { direction: [0, 0, -1], up: [0, 1, 0] },
+  back: { direction: [0, 0, 1], up: [0, 1, 0] },
+  right: { direction: [-1, 0, 0], up: [0, 1, 0] },
+  left: { direction: [1, 0, 0], up: [0, 1, 0] },
+  top: { direction: [0, -1, 0], up: [0, 0, -1] },
+  bottom: { direction: [0, 1, 0], up: [0, 0, 1] },
+  isometric: { direction: normalised([-1, -1, -1]), up: normalised([-1, 2, -1]) },
+};
+
+/** @param {Camera} camera @param {number} factor above 1 goes away */
+export function zoomedCamera(camera, factor) {
+  return { distance: Math.min(100, Math.max(1e-4, camera.distance * factor)) };
+}
+
+/**
+ * The camera that looks at one cell from where it stands, close enough to see it among its neighbours.
+ *
+ * @param {Camera} camera @param {{ centre: Vector, size: number }} view in diagonals, from the core's `cell_view`
+ */
+export function cameraOnCell(camera, { centre, size }) {
+  const halfAngle = (camera.field_of_view * Math.PI) / 360;
+  return { target: centre, distance: Math.max(1e-4, (2.5 * size) / Math.tan(halfAngle)) };
+}

@@ -1,0 +1,75 @@
+/**
+ * The quality filter (SPEC F3) as the panel shows it: which end of the values is kept, and its bounds in native values.
+ *
+ * @typedef {{ source: string, keep: "inside" | "outside", minimum: number | null, maximum: number | null }} Item
+ * @typedef {{ best: string, worstValue: number, bestValue: number }} Scale  ends of the slider, in native values
+ * @typedef {"worst" | "best" | "band" | "outside"} Keep
+ */
+
+/** @type {Record<Keep, string>} */
+export const KEEP_NAMES = {
+  worst: "show the worst",
+  best: "show the best",
+  band: "show a band",
+  outside: "hide a band",
+};
+
+/** Whether a high value is a good one. @param {Scale} scale */
+const highIsBest = (scale) => scale.bestValue >= scale.worstValue;
+
+/** @param {Item | undefined} item @param {Scale} scale @returns {Keep} */
+export function keepOf(item, scale) {
+  if (!item) return "worst";
+  if (item.keep === "outside") return "outside";
+  if (item.minimum !== null && item.maximum !== null) return "band";
+  if (item.minimum === null && item.maximum === null) return "worst";
+  return (item.maximum !== null) === highIsBest(scale) ? "worst" : "best";
+}
+
+/**
+ * The item that keeps one end, its threshold given as a share of the way: 0 hides nothing, 1 hides all but the far end.
+ *
+ * @param {string} source @param {"worst" | "best"} keep @param {number} share @param {Scale} scale @returns {Item | null}
+ */
+export function oneSided(source, keep, share, scale) {
+  if (share <= 0) return null;
+  const [start, end] =
+    keep === "worst" ? [scale.bestValue, scale.worstValue] : [scale.worstValue, scale.bestValue];
+  return boundedBy(source, keep, start + share * (end - start), scale);
+}
+
+/** The item with a typed threshold. @param {string} source @param {"worst" | "best"} keep @param {number} value @param {Scale} scale @returns {Item} */
+export function boundedBy(source, keep, value, scale) {
+  const isMaximum = (keep === "worst") === highIsBest(scale);
+  return { source, keep: "inside", minimum: isMaximum ? null : value, maximum: isMaximum ? value : null };
+}
+
+/** The native threshold of a one-sided item, or null. @param {Item | undefined} item */
+export function thresholdOf(item) {
+  return item ? (item.maximum ?? item.minimum) : null;
+}
+
+/** Where on the slider the item stands. @param {Item | undefined} item @param {"worst" | "best"} keep @param {Scale} scale */
+export function shareOf(item, keep, scale) {
+  const value = thresholdOf(item);
+  if (value === null) return 0;
+  const [start, end] =
+    keep === "worst" ? [scale.bestValue, scale.worstValue] : [scale.worstValue, scale.bestValue];
+  return end === start ? 0 : Math.min(1, Math.max(0, (value - start) / (end - start)));
+}
+
+/** The item when another way of keeping is chosen. @param {string} source @param {Keep} keep @param {Item | undefined} item @param {Scale} scale @returns {Item | null} */
+export function changedKeep(source, keep, item, scale) {
+  const low = Math.min(scale.worstValue, scale.bestValue);
+  const high = Math.max(scale.worstValue, scale.bestValue);
+  if (keep === "band" || keep === "outside") {
+    return {
+      source,
+      keep: keep === "band" ? "inside" : "outside",
+      minimum: item?.minimum ?? low,
+      maximum: item?.maximum ?? high,
+    };
+  }
+  const value = thresholdOf(item) ?? (keep === "worst" ? scale.bestValue : scale.worstValue);
+  return boundedBy(source, keep, value, scale);
+}

@@ -1,0 +1,143 @@
+import { changedPaths, deepFreeze, merge, partialAt, touches, valueAt } from "./paths.js";
+
+/**
+ * @typedef {Readonly<Record<string, any>>} Status
+ * @typedef {(status: Status, changed: readonly string[]) => void} StatusListener
+ * @typedef {{ undo?: string | false }} SetOptions  `undo`: a key under which changes in a row are one step; false: not a step
+ */
+
+const HISTORY_LIMIT = 200;
+
+/**
+ * The status document of the page: the one place where settings live. Panels, keys, files and links write it;
+ * the scene and the core read it. Documents are frozen; a change makes a new one that shares what stayed.
+ *
+ *     const store = new StatusStore(defaults);
+ *     store.on("filters.peel", (status) => draw(status.filters.peel.depth));
+ *     store.set({ filters: { peel: { depth: 2 } } });
+ *     store.undo();
+ */
+export class StatusStore {
+  /** @type {Status} */ #defaults;
+  /** @type {Status} */ #status;
+  /** @type {Set<{ path: string, listener: StatusListener }>} */ #listeners = new Set();
+  /** @type {Status[]} */ #past = [];
+  /** @type {Status[]} */ #future = [];
+  /** @type {string | null} */ #openKey = null;
+
+  /** @param {Status} defaults */
+  constructor(defaults) {
+    this.#defaults = deepFreeze(structuredClone(defaults));
+    this.#status = this.#defaults;
+  }
+
+  get status() {
+    return this.#status;
+  }
+
+  get defaults() {
+    return this.#defaults;
+  }
+
+  get canUndo() {
+    return this.#past.length > 0;
+  }
+
+  get canRedo() {
+    return this.#future.length > 0;
+  }
+
+  /**
+   * Merge a partial document into the status and tell the listeners.
+   *
+   * @param {any} partial @param {SetOptions} [options]
+   * @returns {readonly string[]} paths that changed
+   */
+  set(partial, { undo } = {}) {
+    const next = merge(this.#status, structuredClone(partial));
+    if (next === this.#status) return [];
+    if (undo !== false) {
+      const continues = undo !== undefined && undo === this.#openKey;
+      if (!continues) this.#past.push(this.#status);
+      if (this.#past.length > HISTORY_LIMIT) this.#past.shift();
+      this.#future = [];
+      this.#openKey = undo ?? null;
+    }
+    return this.#replace(next);
+  }
+
+  /** Put one value at a path. @param {string} path @param {any} value @param {SetOptions} [options] */
+  setAt(path, value, options) {
+    return this.set(partialAt(this.#status, path, value), options);
+  }
+
+  /** @param {string} path @returns {any} */
+  valueAt(path) {
+    return valueAt(this.#status, path);
+  }
+
+  /** @param {string} path @returns {any} */
+  defaultAt(path) {
+    return valueAt(this.#defaults, path);
+  }
+
+  /** End a run of merged changes: the next one with the same key is a step of its own. */
+  seal() {
+    this.#openKey = null;
+  }
+
+  /** @returns {boolean} whether there was something to undo */
+  undo() {
+    return this.#step(this.#past, this.#future);
+  }
+
+  /** @returns {boolean} whether there was something to redo */
+  redo() {
+    return this.#step(this.#future, this.#past);
+  }
+
+  /** Forget all steps: what came before belongs to another mesh. */
+  forget() {
+    this.#past = [];
+    this.#future = [];
+    this.seal();
+    this.#tell([]);
+  }
+
+  /**
+   * @param {string} path a path, or "*" for every change
+   * @param {StatusListener} listener
+   * @returns {() => void} stops listening
+   */
+  on(path, listener) {
+    const entry = { path, listener };
+    this.#listeners.add(entry);
+    return () => void this.#listeners.delete(entry);
+  }
+
+  /** @param {Status[]} from @param {Status[]} to */
+  #step(from, to) {
+    const target = from.pop();
+    if (!target) return false;
+    to.push(this.#status);
+    this.seal();
+    this.#replace({ ...target, mesh: this.#status.mesh });
+    return true;
+  }
+
+  /** @param {Status} next */
+  #replace(next) {
+    const changed = changedPaths(this.#status, next);
+    this.#status = deepFreeze(next);
+    this.#tell(changed);
+    return changed;
+  }
+
+  /** @param {readonly string[]} changed */
+  #tell(changed) {
+    const status = this.#status;
+    for (const { path, listener } of [...this.#listeners]) {
+      if (path === "*" || changed.some((one) => touches(path, one))) listener(status, changed);
+    }
+  }
+}

@@ -1,0 +1,32 @@
+/**
+ * The core's tables as the page carries them (a JSON block that the site builder writes from the core): nothing of
+ * them is written a second time in JavaScript.
+ *
+ * @typedef {object} MetricRow
+ * @property {string} id
+ * @property {string} name
+ * @property {string} symbol
+ * @property {"high" | "low" | "range"} best
+ * @property {readonly [number | null, number | null]} full_range null: unbounded
+ * @property {readonly [number | null, number | null] | null} acceptable_range
+ *
+ * @typedef {{ id: string, name: string, extensions: readonly string[] }} FormatRow
+ *
+ * @typedef {object} Tables
+ * @property {string} version of the program
+ * @property {Record<string, any>} defaults the status document's
+ * @property {readonly MetricRow[]} metrics
+ * @property {readonly FormatRow[]} formats
+ */
+
+/** @param {Document} page @returns {Tables} */
+export function readTables(page) {
+  const block = page.getElementById("core-tables");
+  if (!block?.textContent) throw new Error("this page lacks its tables; build it with `hexalab build`");
+  return JSON.parse(block.textContent);
+}
+
+/** @param {Tables} tables @param {string} id */
+export function metricOf(tables, id) {
+  return tables.metrics.find((metric) => metric.id === id);
+}

@@ -1,0 +1,92 @@
+import { h, setText } from "./dom.js";
+import { watch } from "./bind.js";
+import { choice, toggle } from "./choice.js";
+import { actions, colours, numbers, text } from "./fields.js";
+import { slider } from "./slider.js";
+
+/**
+ * @typedef {import("./bind.js").Context} Context @typedef {import("./bind.js").Control} Control
+ *
+ * @typedef {object} Section  a panel's table
+ * @property {string} id
+ * @property {string} title
+ * @property {boolean} [open] whether it starts unfolded
+ * @property {readonly Control[]} controls
+ * @property {(context: Context) => string} [digest] what a folded section tells of itself
+ * @property {{ status?: string[], facts?: string[] }} [digestOf]
+ */
+
+/** @type {Record<string, (context: Context, control: Control) => HTMLElement>} */
+const WIDGETS = {
+  slider,
+  choice,
+  toggle,
+  colours,
+  numbers,
+  actions,
+  text,
+  more,
+  custom: (context, control) => /** @type {any} */ (control.render)(context),
+};
+
+/** @param {Context} context @param {Control} control */
+export function renderControl(context, control) {
+  return WIDGETS[control.kind](context, control);
+}
+
+const MEMORY = "hexalab.sections";
+
+/** @returns {Record<string, boolean>} */
+function remembered() {
+  try {
+    return JSON.parse(localStorage.getItem(MEMORY) ?? "{}");
+  } catch {
+    return {};
+  }
+}
+
+/** A fold that remembers whether it is open. @param {string} id @param {boolean} open @param {HTMLElement} summary @param {string} className */
+function fold(id, open, summary, className) {
+  const element = h(
+    "details",
+    { class: className, id: `section-${id}`, open: remembered()[id] ?? open },
+    summary,
+  );
+  element.addEventListener("toggle", () => {
+    try {
+      localStorage.setItem(MEMORY, JSON.stringify({ ...remembered(), [id]: element.open }));
+    } catch {
+      // a browser that keeps nothing: the fold still folds
+    }
+  });
+  return element;
+}
+
+/** @param {Context} context @param {Section} section */
+export function renderSection(context, section) {
+  const digest = h("span", { class: "digest" });
+  const summary = h("summary", { class: "section-head" }, h("h2", {}, section.title), digest);
+  const element = fold(section.id, section.open ?? false, summary, "section");
+  element.append(
+    h(
+      "div",
+      { class: "section-body" },
+      ...section.controls.map((control) => renderControl(context, control)),
+    ),
+  );
+  if (section.digest)
+    watch(context, section.digestOf ?? {}, () => setText(digest, section.digest?.(context) ?? ""));
+  return element;
+}
+
+/** Controls that stay folded away until asked for. @param {Context} context @param {Control} control */
+function more(context, control) {
+  const element = fold(
+    /** @type {string} */ (control.id),
+    false,
+    h("summary", { class: "more-head" }, control.label),
+    "more",
+  );
+  element.append(...(control.items ?? []).map((/** @type {Control} */ item) => renderControl(context, item)));
+  return element;
+}
