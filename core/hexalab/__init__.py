@@ -1,10 +1,53 @@
-"""HexaLab: read, measure, filter and draw hexahedral meshes."""
+"""HexaLab: read, measure, filter and draw hexahedral meshes.
+
+>>> mesh = hexalab.read("bunny.mesh")                                            # doctest: +SKIP
+>>> hexalab.statistics(hexalab.quality(mesh, "scaled_jacobian"))["min"]          # doctest: +SKIP
+"""
 
 from __future__ import annotations
 
+import os
+from typing import BinaryIO
+
+from . import formats
+from .diagnosis import Finding, diagnose, turn_round
 from .errors import HexaLabError, MeshReadError, MeshWriteError
+from .formats import FORMATS, write
 from .mesh import KINDS, Mesh
+from .quality import METRICS, Metric, histogram, quality, quality_many, statistics
+from .summary import summarise
 
 __version__ = "1.0.0"
 
-__all__ = ["KINDS", "HexaLabError", "Mesh", "MeshReadError", "MeshWriteError"]
+__all__ = [
+    "FORMATS",
+    "KINDS",
+    "METRICS",
+    "Finding",
+    "HexaLabError",
+    "Mesh",
+    "MeshReadError",
+    "MeshWriteError",
+    "Metric",
+    "diagnose",
+    "histogram",
+    "quality",
+    "quality_many",
+    "read",
+    "statistics",
+    "summarise",
+    "write",
+]
+
+
+def read(file: str | os.PathLike[str] | BinaryIO) -> Mesh:
+    """Read a mesh from a path or an open binary file, gzipped or not.
+
+    A mesh whose every cell is inverted is turned round, and `Mesh.notes` says so.
+
+    Raises
+    ------
+    MeshReadError
+        If it is no mesh that can be read: file, place, what was found and what was expected.
+    """
+    return turn_round(formats.read(file))

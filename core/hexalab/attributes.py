@@ -1,7 +1,7 @@
 """The file's own attributes (SPEC R8): which there are, their ranges, and one value per cell of each.
 
-An attribute's id is ``cell:NAME`` or ``point:NAME``; of an array with several components that is the magnitude,
-and ``cell:NAME:0``, ``cell:NAME:1``, ... are the components.
+An attribute's id is ``cell:NAME`` or ``point:NAME``; of an array with several components that is the
+magnitude, and ``cell:NAME:0``, ``cell:NAME:1``, ... are the components.
 """
 
 from __future__ import annotations

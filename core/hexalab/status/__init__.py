@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import json
 from copy import deepcopy
 from typing import Any
 
+from ..errors import HexaLabError
 from .check import Problem, check, shown
 from .original import OpenMesh, from_original, is_original
 from .schema import DEFAULTS, SCHEMA, VERSION
@@ -20,6 +22,7 @@ __all__ = [
     "is_original",
     "merge",
     "migrate",
+    "parse",
     "read",
 ]
 
@@ -47,6 +50,23 @@ def migrate(document: Any) -> tuple[Any, list[Problem]]:
     version = document["version"]
     known = {**document, "version": VERSION}
     return known, [Problem("version", shown(version), f"{VERSION}; what is known of it applies")]
+
+
+def parse(text: str) -> Any:
+    """Parse the text of a settings document.
+
+    Raises
+    ------
+    HexaLabError
+        If it is not JSON; line and column are told.
+    """
+    try:
+        return json.loads(text)
+    except json.JSONDecodeError as error:
+        place = f"line {error.lineno}, column {error.colno}"
+        raise HexaLabError(f"the settings are not JSON: {place}: {error.msg}") from None
+    except RecursionError:
+        raise HexaLabError("the settings are nested too deeply") from None
 
 
 def read(document: Any, mesh: OpenMesh | None = None) -> tuple[dict[str, Any], list[Problem]]:

@@ -1,0 +1,113 @@
+"""The command line: `hexalab VERB ...`, one module per verb.
+
+Exit codes: 0, 1 for a finding, 2 for misuse or unreadable input with one line on stderr, 130 and 141 when
+interrupted or when the reader of a pipe has left.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Sequence
+from importlib import import_module
+from typing import NoReturn, TextIO
+
+from ..errors import HexaLabError
+
+FINDING = 1
+MISUSE = 2
+INTERRUPTED = 130
+PIPE_CLOSED = 141
+
+VERBS = {
+    "info": "say what is in mesh files",
+    "quality": "measure the quality of a mesh's cells",
+    "convert": "write a mesh in another format",
+}
+"""Verbs and what they do; each is the module of its name (a hyphen read as an underscore)."""
+
+
+class Parser(argparse.ArgumentParser):
+    """Reports misuse in one line."""
+
+    def error(self, message: str) -> NoReturn:
+        """Print one line on stderr and leave with the code for misuse."""
+        self.exit(MISUSE, f"{self.prog}: {message} (see {self.prog} --help)\n")
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run one command.
+
+    Parameters
+    ----------
+    argv : sequence of str, optional
+        What follows the program's name; the process's own by default.
+
+    Returns
+    -------
+    int
+        The exit code.
+    """
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="backslashreplace")
+    try:
+        code = run(sys.argv[1:] if argv is None else argv)
+        sys.stdout.flush()
+    except SystemExit as leaving:
+        code = leaving.code if isinstance(leaving.code, int) else 0
+    except KeyboardInterrupt:
+        code = INTERRUPTED
+    except BrokenPipeError:
+        silence(sys.stdout)
+        code = PIPE_CLOSED
+    except (HexaLabError, OSError, MemoryError) as error:
+        code = complain(error)
+    return code
+
+
+def run(argv: Sequence[str]) -> int:
+    """Parse the arguments and run the verb that they name."""
+    parser = Parser(prog="hexalab", description="Look into hexahedral meshes and judge their quality.")
+    parser.add_argument("--version", action="store_true", help="print the version and leave")
+    verbs = parser.add_subparsers(dest="verb", metavar="VERB", parser_class=Parser)
+    wanted = argv[0] if argv and argv[0] in VERBS else None
+    for verb, help_text in VERBS.items():
+        description = help_text[0].upper() + help_text[1:] + "."
+        sub = verbs.add_parser(verb, help=help_text, description=description)
+        if verb == wanted:
+            import_module(f"{__name__}.{verb.replace('-', '_')}").configure(sub)
+    arguments = parser.parse_args(argv)
+    if arguments.version:
+        from .. import __version__
+
+        print(f"hexalab {__version__}")
+        return 0
+    if arguments.verb is None:
+        parser.error(f"which verb? One of {', '.join(VERBS)}")
+    return int(arguments.run(arguments))
+
+
+def complain(error: Exception, prefix: str = "hexalab") -> int:
+    """Say on stderr, in one line, what went wrong; returns the exit code for it."""
+    print(f"{prefix}: {describe(error)}", file=sys.stderr)
+    return MISUSE
+
+
+def describe(error: Exception) -> str:
+    """Put an exception into one line of a user's words."""
+    if isinstance(error, OSError) and error.strerror:
+        place = f"{error.filename}: " if error.filename is not None else ""
+        return f"{place}{error.strerror[0].lower()}{error.strerror[1:]}"
+    if isinstance(error, MemoryError):
+        return "not enough memory for this mesh"
+    return " ".join(str(error).split()) or type(error).__name__
+
+
+def silence(stream: TextIO) -> None:
+    """Point a stream whose reader has left at nothing, so that leaving does not complain once more."""
+    try:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+    except (OSError, ValueError):  # a stream without a descriptor, as in tests
+        return

@@ -1,0 +1,104 @@
+"""`hexalab info`: what is in mesh files."""
+
+from __future__ import annotations
+
+import json
+from argparse import ArgumentParser, Namespace
+from typing import Any
+
+import numpy as np
+
+from .. import FORMATS, METRICS, MeshReadError, read, summarise
+from ..mesh import Mesh
+from . import FINDING, MISUSE, complain
+from .tables import count, quality_table
+
+LAYERS_SHOWN = 12
+
+
+def configure(parser: ArgumentParser) -> None:
+    """Declare the verb's arguments."""
+    parser.add_argument("files", nargs="+", metavar="FILE", help="a mesh file; may be gzipped")
+    parser.add_argument("--json", action="store_true", help="print one JSON object per file, a line each")
+    parser.add_argument("--strict", action="store_true", help="exit with 1 if a mesh has an invalid cell")
+    parser.set_defaults(run=run)
+
+
+def run(arguments: Namespace) -> int:
+    """Print the facts of each file; a file that can't be read does not stop the others."""
+    code, printed = 0, False
+    for path in arguments.files:
+        try:
+            mesh = read(path)
+            facts = {**summarise(mesh), "file": path}
+        except (MeshReadError, OSError, MemoryError) as error:
+            if isinstance(error, BrokenPipeError):
+                raise
+            code = complain(error)
+            continue
+        if arguments.json:
+            print(json.dumps(facts, ensure_ascii=False, allow_nan=False))
+        else:
+            print("\n" * printed + described(facts))
+        printed = True
+        if arguments.strict and code != MISUSE and has_invalid_cell(mesh):
+            code = FINDING
+    return code
+
+
+def has_invalid_cell(mesh: Mesh) -> bool:
+    """Whether the Jacobian of a cell is somewhere not positive."""
+    from ..quality.validity import certify
+
+    return bool(np.any(certify(mesh).state == 0))
+
+
+def described(facts: dict[str, Any]) -> str:
+    """Lay out the facts for reading."""
+    kinds, names = facts["kinds"], {row.id: row.name for row in FORMATS}
+    parts = ", ".join(f"{count(number)} {plural(kind, number)}" for kind, number in kinds.items())
+    rows = [
+        ("format", names.get(facts["format"], facts["format"])),
+        ("vertices", count(facts["vertices"]) + also(facts["unreferenced_vertices"], "unreferenced")),
+        ("cells", (parts or "0") + also(facts["cells_repeating_a_vertex"], "repeating a vertex")),
+        ("components", count(facts["components"])),
+        (
+            "faces",
+            count(facts["faces"])
+            + also(facts["boundary_faces"], "on the boundary")
+            + also(facts["nonmanifold_faces"], "shared by more than two cells"),
+        ),
+        ("edges", count(facts["edges"])),
+        ("  inside, by valence", valences(facts["interior_edge_valence"])),
+        ("  on the boundary", valences(facts["boundary_edge_valence"])),
+        ("cells by depth", layers(facts["cells_per_depth"])),
+    ]
+    width = max(len(name) for name, _ in rows)
+    lines = [facts["file"], *(f"  {name.ljust(width)}  {text}" for name, text in rows)]
+    lines += [f"  finding: {finding['message']}" for finding in facts["findings"]]
+    metrics = {metric.id: metric.name for metric in METRICS.values()}
+    return "\n".join([*lines, "", quality_table(facts["quality"], metrics)])
+
+
+def plural(kind: str, number: int) -> str:
+    """Name one or several cells of a kind."""
+    if number == 1:
+        return kind
+    return kind[: -len("on")] + "a" if kind.endswith("hedron") else kind + "s"
+
+
+def also(number: int, what: str) -> str:
+    """Add a part of a count, where there is one."""
+    return f", {count(number)} {what}" if number else ""
+
+
+def valences(counts: dict[str, int]) -> str:
+    """Write how many edges there are of each valence."""
+    return ", ".join(f"{valence}: {count(number)}" for valence, number in counts.items()) or "none"
+
+
+def layers(per_depth: list[int]) -> str:
+    """Write how many cells there are at each hop distance from the boundary."""
+    text = " ".join(count(number) for number in per_depth[:LAYERS_SHOWN])
+    more = len(per_depth) - LAYERS_SHOWN
+    return f"{text} and {more} layers more" if more > 0 else text

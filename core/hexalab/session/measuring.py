@@ -1,0 +1,98 @@
+"""Numbers for the panels: statistics and histograms of metrics and attributes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..packing import jsonable
+from ..quality import METRICS, histogram
+from .opened import Opened
+
+Limits = tuple[float, float] | None
+
+
+def statistics_of(opened: Opened, source: str) -> dict[str, Any]:
+    """Return the statistics of a metric or an attribute, and what the table knows of the metric.
+
+    Returns
+    -------
+    dict
+        As `hexalab.statistics`, and `id`, `name`, `symbol`, `low`, `high` (finite range over the mesh),
+        `acceptable_range`, `full_range` (an infinite end is None), `worst_value`, `best_value` (native values
+        where the normalised quality is 0 and 1; None for an attribute).
+    """
+    numbers = opened.statistics_of(source)
+    reach = opened.range_of(source)
+    low, high = reach or (None, None)
+    told: dict[str, Any] = {
+        "id": source,
+        "name": opened.label_of(source),
+        "symbol": "",
+        "low": low,
+        "high": high,
+    }
+    told.update(acceptable_range=None, full_range=None, worst_value=None, best_value=None)
+    metric = METRICS.get(source)
+    if metric is not None:
+        told.update(
+            symbol=metric.symbol, acceptable_range=metric.acceptable_range, full_range=metric.full_range
+        )
+        if reach is not None:
+            worst, best = metric.denormalise(np.array([0.0, 1.0]), *reach)
+            told.update(worst_value=worst, best_value=best)
+    answer: dict[str, Any] = jsonable({**numbers, **told})
+    return answer
+
+
+def histogram_of(
+    opened: Opened, source: str, bins: int, shown: NDArray[np.bool_] | None, limits: Limits
+) -> dict[str, Any]:
+    """Count the values of a metric or an attribute in bins.
+
+    Parameters
+    ----------
+    opened : Opened
+    source : str
+    bins : int
+    shown : (C,) bool or None
+        Cells to count; None for all.
+    limits : (low, high) or None
+        Values at the ends of the colour map, if the status fixes them.
+
+    Returns
+    -------
+    dict
+        `source`, `label`, `edges` (bins + 1,), `counts` (bins,), `map_position` (bins,) of the bins' middles,
+        `low`, `high` (ends of the axis), `not_finite`.
+    """
+    values = opened.values(source)
+    if shown is not None:
+        values = values[shown]
+    low, high = axis_of(opened, source)
+    edges, counts = histogram(values, low, high, bins)
+    middles = (edges[1:] + edges[:-1]) / 2
+    return {
+        "source": source,
+        "label": opened.label_of(source),
+        "edges": edges,
+        "counts": counts.astype(np.uint32),
+        "map_position": opened.map_positions(source, middles, limits).astype(np.float32),
+        "low": low,
+        "high": high,
+        "not_finite": int(np.count_nonzero(~np.isfinite(values))),
+    }
+
+
+def axis_of(opened: Opened, source: str) -> tuple[float, float]:
+    """Return the ends of a histogram's axis: the mesh's finite values, and a metric's worst and best ones."""
+    reach = opened.range_of(source)
+    if reach is None:
+        return 0.0, 1.0
+    ends = list(reach)
+    if source in METRICS:
+        ends += METRICS[source].denormalise(np.array([0.0, 1.0]), *reach).tolist()
+    ends = [end for end in ends if np.isfinite(end)]
+    return min(ends), max(ends)

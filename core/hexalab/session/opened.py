@@ -1,0 +1,193 @@
+"""What is kept of an open mesh: parts are computed when first asked for, and then stay."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..attributes import Attribute, attributes, cell_values, finite_range
+from ..diagnosis import Finding, diagnose
+from ..errors import HexaLabError
+from ..filters.stack import FilterStack
+from ..mesh import Floats, Mesh
+from ..quality import METRICS, quality, statistics
+from ..status import OpenMesh
+from ..surface import Drawing, Irregular, extract_irregular
+
+if TYPE_CHECKING:
+    from ..quality.validity import Validity
+
+MOST_BYTES_OF_VALUES = 96 * 2**20
+"""Values per cell are kept up to this size, the least used leave first."""
+
+
+class UnknownSource(HexaLabError):
+    """There is no metric and no attribute of that id."""
+
+
+class Opened:
+    """An open mesh and what is known of it so far.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    """
+
+    def __init__(self, mesh: Mesh) -> None:
+        self.mesh = mesh
+        self.described = False
+        self._values: OrderedDict[str, Floats] = OrderedDict()
+        self._ranges: dict[str, tuple[float, float] | None] = {}
+        self._statistics: dict[str, dict[str, Any]] = {}
+        self._irregular: dict[tuple[bool, bool], Irregular] = {}
+
+    @cached_property
+    def attributes(self) -> dict[str, Attribute]:
+        """The file's attributes by id."""
+        return attributes(self.mesh)
+
+    @cached_property
+    def drawing(self) -> Drawing:
+        """What all surfaces of the mesh share."""
+        return Drawing(self.mesh)
+
+    @cached_property
+    def filters(self) -> FilterStack:
+        """The filters, with what they keep between two settings."""
+        return FilterStack(self.mesh, self.values)
+
+    @cached_property
+    def findings(self) -> list[Finding]:
+        """The diagnosis."""
+        return diagnose(self.mesh)
+
+    @cached_property
+    def validity(self) -> Validity:
+        """Certified validity of every cell."""
+        from ..quality.validity import certify
+
+        return certify(self.mesh)
+
+    def values(self, source: str) -> Floats:
+        """Return a metric's or an attribute's value for each cell, (C,) float64.
+
+        Raises
+        ------
+        UnknownSource
+            If there is neither a metric nor an attribute of that id.
+        """
+        if source in self._values:
+            self._values.move_to_end(source)
+            return self._values[source]
+        if source in METRICS:
+            values = quality(self.mesh, source)
+        elif source in self.attributes:
+            values = cell_values(self.mesh, self.attributes[source])
+        else:
+            raise UnknownSource(f"there is no metric and no attribute {source!r}")
+        self._values[source] = values
+        while len(self._values) > 1 and len(self._values) * values.nbytes > MOST_BYTES_OF_VALUES:
+            self._values.popitem(last=False)
+        return values
+
+    def range_of(self, source: str) -> tuple[float, float] | None:
+        """Return the smallest and largest finite value over the cells; None if there is none."""
+        if source not in self._ranges:
+            self._ranges[source] = finite_range(self.values(source))
+        return self._ranges[source]
+
+    def statistics_of(self, source: str) -> dict[str, Any]:
+        """Return the statistics of a metric or an attribute over the cells."""
+        if source not in self._statistics:
+            self._statistics[source] = statistics(self.values(source), METRICS.get(source), self.mesh.kinds)
+        return self._statistics[source]
+
+    def label_of(self, source: str) -> str:
+        """Return what a metric or an attribute is called on the screen."""
+        return METRICS[source].name if source in METRICS else self.attributes[source].name
+
+    def map_positions(
+        self, source: str, values: Floats, limits: tuple[float, float] | None = None
+    ) -> NDArray[np.float64]:
+        """Place values on a colour map: 0 its first colour (the best, or the lowest of an attribute), 1 its
+        last.
+
+        Parameters
+        ----------
+        source : str
+            Metric or attribute that the values are of.
+        values : (n,) float64
+        limits : (low, high), optional
+            Values at the ends of the map; by default the metric's normalisation or the attribute's range.
+
+        Returns
+        -------
+        (n,) float64
+            NaN where a value is not finite.
+        """
+        metric = METRICS.get(source)
+        reach = self.range_of(source)
+        if reach is None:
+            return np.full(len(values), np.nan)
+        if metric is not None and limits is None:
+            return np.asarray(1 - metric.normalise(values, *reach))
+        low, high = sorted(limits or reach)
+        with np.errstate(invalid="ignore", over="ignore"):
+            normal = np.clip((values - low) / (high - low), 0, 1) if high > low else (values > low) * 1.0
+        normal = np.where(np.isfinite(values), normal, np.nan)
+        turned = metric is not None and metric.direction == "high"
+        return np.asarray(1 - normal if turned else normal, dtype=np.float64)
+
+    def irregular(self, barbs: bool, paper: bool) -> Irregular:
+        """Return the irregular structure with the parts that a mode draws; it depends on no filter."""
+        parts = (barbs, paper)
+        if parts not in self._irregular:
+            self._irregular = {parts: extract_irregular(self.drawing, barbs=barbs, paper=paper)}
+        return self._irregular[parts]
+
+    def max_depth(self, compute: bool) -> int | None:
+        """Return the hop distance of the deepest cell; None if it is not known and not to be computed."""
+        topology = self.mesh.topology
+        return topology.max_depth if compute or "depth" in vars(topology) else None
+
+    def plane_ranges(self, planes: dict[str, Any]) -> list[list[float] | None]:
+        """Return where each plane's slider runs, as distances from the centre in diagonals.
+
+        None for a plane that hides nothing: the first picture does not wait for barycentres.
+        """
+        return [self._plane_range(plane, planes["rule"]) for plane in planes["items"]]
+
+    def _plane_range(self, plane: dict[str, Any], rule: str) -> list[float] | None:
+        if not plane["offset"]:
+            return None
+        normal = np.asarray(plane["normal"], dtype=np.float64)
+        middle = float((normal * self.mesh.centre).sum() / np.sqrt((normal * normal).sum()))
+        places = self.filters.places(plane["normal"], rule)
+        return [(end - middle) / self.mesh.diagonal for end in (places.low, places.high)]
+
+    def for_original(self) -> OpenMesh:
+        """Return what the conversion of the original's documents must know of the mesh."""
+        mesh = self.mesh
+        low, high = mesh.coordinates.min(axis=1), mesh.coordinates.max(axis=1)
+        return OpenMesh(
+            centre=_triple(mesh.centre),
+            diagonal=mesh.diagonal,
+            whole_centre=_triple(low + (high - low) / 2),
+            whole_diagonal=float(np.sqrt(((high - low) ** 2).sum())) or 1.0,
+            native=self._native,
+        )
+
+    def _native(self, source: str, normal: float) -> float:
+        reach = self.range_of(source) if source in METRICS else None
+        if reach is None:
+            return normal
+        return float(METRICS[source].denormalise(np.array(normal), *reach))
+
+
+def _triple(vector: Floats) -> tuple[float, float, float]:
+    x, y, z = (float(part) for part in vector)
+    return x, y, z

@@ -1,0 +1,84 @@
+"""The facts of a mesh, as `hexalab info --json` prints them and the catalogue keeps them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .diagnosis import diagnose
+from .mesh import HEXAHEDRON, Floats, Mesh
+from .packing import jsonable
+from .quality import METRICS, quality_many, statistics
+
+STATISTICS = ("min", "max", "mean", "median", "variance", "not_finite", "outside_acceptable")
+"""The statistics that the facts hold of each metric."""
+
+
+def summarise(mesh: Mesh, metrics: Iterable[str] = METRICS) -> dict[str, Any]:
+    """Collect the facts of a mesh.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    metrics : iterable of str
+        Ids of the metrics to measure; all by default.
+
+    Returns
+    -------
+    dict
+        Ready for JSON, with the keys `file`, `format`, `vertices`, `cells`, `kinds`, `faces`,
+        `boundary_faces`, `nonmanifold_faces`, `edges`, `interior_edge_valence`, `boundary_edge_valence`,
+        `cells_per_depth`, `components`, `unreferenced_vertices`, `cells_repeating_a_vertex`, `findings`,
+        `quality`. Numbers that are not finite are None.
+    """
+    facts: dict[str, Any] = {
+        "file": mesh.name,
+        "format": mesh.format,
+        "vertices": mesh.vertex_count,
+        "cells": mesh.cell_count,
+        "kinds": mesh.kind_counts,
+        **structure(mesh),
+        "findings": [
+            {"id": finding.id, "count": finding.count, "message": finding.message}
+            for finding in diagnose(mesh)
+        ],
+        "quality": measures(mesh, quality_many(mesh, metrics)),
+    }
+    found: dict[str, Any] = jsonable(facts)
+    return found
+
+
+def structure(mesh: Mesh) -> dict[str, Any]:
+    """Collect the facts of a mesh's topology; see `summarise`."""
+    topology = mesh.topology
+    return {
+        "faces": topology.face_count,
+        "boundary_faces": topology.boundary_face_count,
+        "nonmanifold_faces": topology.nonmanifold_face_count,
+        "edges": topology.edge_vertices.shape[1],
+        "interior_edge_valence": topology.interior_edge_valence,
+        "boundary_edge_valence": topology.boundary_edge_valence,
+        "cells_per_depth": topology.cells_per_depth,
+        "components": topology.component_count,
+        "unreferenced_vertices": int(np.count_nonzero(~mesh.referenced)),
+        "cells_repeating_a_vertex": int(np.count_nonzero(repeats_a_vertex(mesh))),
+    }
+
+
+def measures(mesh: Mesh, values: Mapping[str, Floats]) -> dict[str, dict[str, Any]]:
+    """Summarise values per cell by metric id: metric to its statistics, those of `STATISTICS`."""
+    measured = {}
+    for metric, array in values.items():
+        numbers = statistics(array, METRICS[metric], mesh.kinds)
+        measured[metric] = {name: numbers[name] for name in STATISTICS}
+    return measured
+
+
+def repeats_a_vertex(mesh: Mesh) -> NDArray[np.bool_]:
+    """(C,) bool: whether a hexahedron names a vertex twice; cells of fewer corners never do."""
+    ordered = np.sort(mesh.corners, axis=0)
+    repeated = (ordered[1:] == ordered[:-1]).any(axis=0)
+    return np.asarray(repeated & (mesh.kinds == HEXAHEDRON))

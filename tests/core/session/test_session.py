@@ -1,0 +1,470 @@
+"""Session, the door between the viewer and the core; truth: counting by hand on small grids."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from hexalab.errors import HexaLabError, MeshReadError
+from hexalab.packing import unpack
+from hexalab.quality import METRICS, quality_many
+from hexalab.session import Session
+from hexalab.status import DEFAULTS
+
+ROOT = Path(__file__).parents[3]
+PICTURES = ROOT.parent / "shared" / "reference" / "pictures"
+BUFFERS = {"surface", "silhouette", "irregular", "colour"}
+
+
+def plain(value: Any) -> bool:
+    """Whether a result holds only what the worker can hand over."""
+    if isinstance(value, dict):
+        return all(isinstance(name, str) and plain(part) for name, part in value.items())
+    if isinstance(value, list | tuple):
+        return all(map(plain, value))
+    if isinstance(value, np.ndarray):
+        return (
+            value.dtype.kind in "iuf" and value.dtype.itemsize < 9 and value.dtype not in ("int64", "uint64")
+        )
+    return value is None or type(value) in (bool, int, float, str, bytes)
+
+
+@pytest.fixture
+def session(attributed: bytes) -> Session:
+    """A session with the 3 x 2 x 1 grid that has attributes."""
+    opened = Session()
+    opened.open("grid.vtk", attributed)
+    return opened
+
+
+@pytest.fixture
+def block(grid: Callable[..., bytes]) -> Session:
+    """A session with a grid of 4 x 4 x 4 unit cubes."""
+    opened = Session()
+    opened.open("block.mesh", grid(4, 4, 4))
+    return opened
+
+
+def shown_of(update: dict[str, Any]) -> set[int]:
+    return set((update["surface"]["faces"] // 8).tolist())
+
+
+def test_A1_summary_of_an_opened_mesh(attributed: bytes) -> None:
+    summary = Session().open("grid.vtk", attributed)
+    assert plain(summary)
+    assert (summary["name"], summary["format"]) == ("grid.vtk", "vtk")
+    assert (summary["vertices"], summary["cells"], summary["boundary_faces"]) == (24, 6, 22)
+    assert summary["kinds"] == {"hexahedron": 6}
+    assert summary["extent"] == [[0, 0, 0], [3, 2, 1]]
+    assert summary["centre"] == [1.5, 1, 0.5]
+    assert summary["diagonal"] == pytest.approx(14**0.5)
+    assert summary["max_depth"] is None
+    rows = {row["id"]: row for row in summary["attributes"]}
+    assert rows["cell:load"] == {"id": "cell:load", "name": "load", "on": "cell", "min": 0, "max": 5}
+    assert (rows["point:flow:1"]["min"], rows["point:flow:1"]["max"]) == (0, 2)
+    json.dumps(summary)
+
+
+def test_A1_opening_computes_faces_only(block: Session) -> None:
+    topology = block._opened.mesh.topology  # type: ignore[union-attr]
+    assert "faces" in vars(topology)
+    assert not {"edges", "depth", "_components"} & set(vars(topology))
+    first = block.update(DEFAULTS)
+    assert first["pending"] == ["irregular"]
+    assert not {"edges", "depth", "_components"} & set(vars(topology))
+
+
+def test_A1_the_first_update_brings_all_and_the_second_nothing(block: Session) -> None:
+    first = block.update(DEFAULTS)
+    assert plain(first)
+    assert set(first) & BUFFERS == {"surface", "silhouette", "colour"}
+    assert first["colour"] is None
+    assert (first["shown_cells"], first["shown_faces"]) == (64, 96)
+    assert len(first["surface"]["faces"]) == 96
+    assert first["problems"] == []
+    second = block.update(first["status"])
+    assert set(second) & BUFFERS == set()
+    assert second["pending"] == ["irregular"]
+    assert second["status"] == first["status"]
+
+
+def test_S2_status_round_trip_changes_nothing(block: Session) -> None:
+    block.update(
+        {"filters": {"planes": {"items": [{"normal": [0, 1, 0], "offset": 0.3}]}}, "silhouette": 0.5}
+    )
+    text = json.dumps(block.status)
+    again = block.update(text)
+    assert json.dumps(block.status) == text
+    assert set(again) & BUFFERS == set()
+
+
+def test_V4_irregular_structure_comes_after_the_description(block: Session) -> None:
+    block.update(DEFAULTS)
+    block.describe()
+    update = block.update()
+    assert update["pending"] == []
+    assert set(update) & BUFFERS == {"irregular"}
+    assert update["irregular"]["counts"]["interior"] == {}
+    assert update["irregular"]["counts"]["boundary"] == {"1": 48}
+    assert set(block.update({"irregular": {"mode": 2}})) & BUFFERS == set()
+    assert len(block.update({"irregular": {"mode": 5}})["irregular"]["paper"]) > 0
+    assert set(block.update({"irregular": {"mode": 0}})) & BUFFERS == set()
+
+
+@pytest.mark.parametrize("offset", [0, 0.1, 0.5, 0.9, 1])
+def test_F1_a_slice_shows_the_cells_before_the_plane(block: Session, offset: float) -> None:
+    block.update(DEFAULTS)
+    update = block.update({"filters": {"planes": {"items": [{"normal": [1, 0, 0], "offset": offset}]}}})
+    x = np.arange(64) % 4 + 0.5
+    behind = x < 0.5 + 3 * offset if offset < 1 else np.ones(64, bool)
+    expected = set(np.flatnonzero(~behind).tolist())
+    assert update["shown_cells"] == len(expected)
+    if offset:
+        assert shown_of(update) <= expected
+        assert set(update) & BUFFERS == {"surface", "silhouette"}
+        assert len(update["silhouette"]["positions"]) == 12 * np.count_nonzero(
+            behind[np.array(boundary_cells())]
+        )
+        assert update["plane_ranges"][0] == pytest.approx([-1.5 / 48**0.5, 1.5 / 48**0.5])
+    else:
+        assert update["plane_ranges"] == [None]
+
+
+def boundary_cells() -> list[int]:
+    """The cell of each of the 96 boundary faces of the 4 x 4 x 4 grid."""
+    found = []
+    for cell in range(64):
+        places = (cell % 4, cell // 4 % 4, cell // 16)
+        found += [cell] * sum((place == 0) + (place == 3) for place in places)
+    return found
+
+
+def test_F1_a_slice_that_hides_the_same_cells_sends_nothing(block: Session) -> None:
+    block.update({"filters": {"planes": {"items": [{"normal": [1, 0, 0], "offset": 0.4}]}}})
+    update = block.update({"filters": {"planes": {"items": [{"normal": [1, 0, 0], "offset": 0.45}]}}})
+    assert set(update) & BUFFERS == set()
+
+
+def test_F2_peel(block: Session) -> None:
+    update = block.update({"filters": {"peel": {"depth": 1}}})
+    inner = [x + 4 * y + 16 * z for z in (1, 2) for y in (1, 2) for x in (1, 2)]
+    assert shown_of(update) == set(inner)
+    assert (update["shown_cells"], update["shown_faces"], update["max_depth"]) == (8, 24, 1)
+    assert (update["surface"]["inside"] == 255).all()
+    everything = block.update({"filters": {"peel": {"depth": 2}}})
+    assert (everything["shown_cells"], everything["shown_faces"]) == (0, 0)
+    assert len(everything["surface"]["positions"]) == 0
+
+
+def test_F3_R8_cells_are_filtered_by_attributes_and_metrics(session: Session) -> None:
+    band = {"source": "cell:load", "minimum": 2, "maximum": 3}
+    update = session.update({"filters": {"quality": {"items": [band]}}})
+    assert shown_of(update) == {2, 3}
+    update = session.update({"filters": {"quality": {"items": [{**band, "keep": "outside"}]}}})
+    assert update["shown_cells"] in (4, 6)  # the ends themselves may count to either side
+    update = session.update({"filters": {"quality": {"items": [{"source": "point:height", "maximum": 1}]}}})
+    assert shown_of(update) == {0, 3}
+    update = session.update({"filters": {"quality": {"items": [{"source": "volume", "minimum": 2}]}}})
+    assert update["shown_cells"] == 0
+
+
+def test_F4_picked_cells(session: Session) -> None:
+    update = session.update({"filters": {"picking": {"isolated": True, "shown": [4, 99]}}})
+    assert shown_of(update) == {4}
+    assert [problem["path"] for problem in update["problems"]] == ["filters.picking.shown"]
+    assert session.status["filters"]["picking"]["shown"] == [4]
+
+
+def test_P6_recolouring_sends_colours_only(session: Session) -> None:
+    session.update(DEFAULTS)
+    update = session.update({"colour": {"by": "quality", "metric": "volume"}})
+    assert set(update) & BUFFERS == {"colour"}
+    assert update["colour"]["label"] == "Volume"
+    assert set(session.update({"colour": {"map": "jet", "outside": "#123456"}})) & BUFFERS == set()
+    update = session.update({"colour": {"by": "attribute", "attribute": "cell:load"}})
+    assert set(update) & BUFFERS == {"colour"}
+    assert np.allclose(update["colour"]["map_position"], np.arange(6) / 5)
+    assert (update["colour"]["low"], update["colour"]["high"]) == (0, 5)
+    update = session.update({"colour": {"range": [1, 3]}})
+    assert np.allclose(update["colour"]["map_position"], [0, 0, 0.5, 1, 1, 1])
+    assert (session.update({"colour": {"by": "kind"}})["colour"]["map_position"] == 0).all()
+    assert session.update({"colour": {"by": "sides"}})["colour"] is None
+    assert plain(update)
+
+
+def test_Q2_the_best_value_has_the_first_colour(twisted: bytes) -> None:
+    session = Session()
+    session.open("twisted.mesh", twisted)
+    for metric, row in METRICS.items():
+        values = quality_many(session._opened.mesh, [metric])[metric]  # type: ignore[union-attr]
+        update = session.update({"colour": {"by": "quality", "metric": metric}})
+        positions = update["colour"]["map_position"]
+        assert update["colour"]["source"] == metric
+        assert np.array_equal(np.isnan(positions), ~np.isfinite(values))
+        if np.isfinite(values).all():
+            better = np.argmax(values) if row.direction == "high" else np.argmin(values)
+            assert positions[better] == positions.min()
+
+
+def test_S1_wrong_values_are_named_and_the_rest_applies(session: Session) -> None:
+    update = session.update(
+        {
+            "colour": {"by": "quality", "metric": "beauty", "inside": "#00ff00"},
+            "filters": {"quality": {"items": [{"source": "cell:none"}, {"source": "volume", "maximum": 9}]}},
+            "silhouette": 2,
+            "separation": {"mode": "fissure"},
+        }
+    )
+    assert {problem["path"] for problem in update["problems"]} == {
+        "colour.metric",
+        "filters.quality.items[0].source",
+        "silhouette",
+    }
+    assert "scaled_jacobian" in update["problems"][-2]["expected"] + update["problems"][-1]["expected"]
+    status = session.status
+    assert (status["colour"]["by"], status["colour"]["inside"]) == ("sides", "#00ff00")
+    assert [band["source"] for band in status["filters"]["quality"]["items"]] == ["volume"]
+    assert status["separation"]["mode"] == "fissure"
+    assert update["surface"]["mode"] == "fissure"
+
+
+def test_S1_an_attribute_of_another_mesh_is_told(session: Session, grid: Callable[..., bytes]) -> None:
+    session.update({"colour": {"by": "attribute", "attribute": "cell:load"}})
+    session.open("other.mesh", grid(1, 1, 1))
+    assert session.status["colour"]["by"] == "sides"
+    update = session.update({"colour": {"by": "attribute", "attribute": "cell:load"}})
+    assert [problem["path"] for problem in update["problems"]] == ["colour.attribute"]
+    update = session.update({"colour": {"by": "attribute"}})
+    assert [problem["expected"] for problem in update["problems"]] == ["nothing: the mesh has none"]
+    assert session.status["colour"]["by"] == "sides"
+
+
+def test_S1_the_status_names_the_mesh(session: Session) -> None:
+    assert session.status["mesh"] == {"name": "grid.vtk", "sha256": "", "cells": 6}
+    assert session.identify("ab" * 32)["sha256"] == "ab" * 32
+    session.update({"mesh": {"name": "other", "cells": 9}})
+    assert session.status["mesh"] == {"name": "grid.vtk", "sha256": "ab" * 32, "cells": 6}
+    with pytest.raises(HexaLabError, match="64 hexadecimal"):
+        session.identify("xyz")
+
+
+def test_S1_another_mesh_starts_with_a_fresh_camera_and_no_filters(
+    session: Session, grid: Callable[..., bytes]
+) -> None:
+    session.update(
+        {"filters": {"peel": {"depth": 1}}, "camera": {"distance": 3}, "separation": {"mode": "rounded"}}
+    )
+    session.open("other.mesh", grid(2, 2, 2))
+    assert session.status["filters"] == DEFAULTS["filters"]
+    assert session.status["camera"] == DEFAULTS["camera"]
+    assert session.status["separation"]["mode"] == "rounded"
+    assert set(session.update()) & BUFFERS == {"surface", "silhouette", "colour"}
+
+
+def test_R10_a_failed_open_leaves_the_mesh_that_was_open(session: Session) -> None:
+    session.update({"filters": {"peel": {"depth": 0}}, "silhouette": 0.25})
+    before = json.dumps(session.status)
+    for data in (b"", b"MeshVersionFormatted 2\nDimension 3\nVertices\n3\n0 0", b"\x89PNG\r\n\x1a\n"):
+        with pytest.raises(MeshReadError, match=r"bad\.mesh"):
+            session.open("bad.mesh", data)
+    assert json.dumps(session.status) == before
+    assert session.update()["shown_cells"] == 6
+
+
+def test_R9_a_mesh_of_inverted_cells_is_turned_round(grid: Callable[..., bytes]) -> None:
+    session = Session()
+    summary = session.open("inverted.mesh", grid(2, 2, 2, inverted=True))
+    assert "turned" in " ".join(summary["notes"])
+    assert session.quality("volume")["min"] == 1
+    assert [finding["id"] for finding in session.describe()["findings"]] == ["turned_round"]
+
+
+def test_S4_a_document_of_the_original_is_applied(twisted: bytes) -> None:
+    session = Session()
+    session.open("twisted.mesh", twisted)
+    document = {
+        "camera": {"offset": {"x": 1, "y": 0, "z": 0}, "distance": 2},
+        "rendering": {"quality_measure": "EdgeRatio", "apply_color_map": True, "geometry_mode": "Cracked"},
+        "filters": {"Quality": {"enabled": True, "min": 0, "max": 0.5}},
+    }
+    checked = session.check(json.dumps(document))
+    assert (checked["form"], checked["problems"]) == ("original", [])
+    (band,) = checked["partial"]["filters"]["quality"]["items"]
+    worst = session.quality("edge_ratio")["max"]
+    assert band["minimum"] == pytest.approx(1 + (worst - 1) / 2)
+    assert session.status == {**DEFAULTS, "mesh": session.status["mesh"]}
+    update = session.update(document)
+    assert update["problems"] == []
+    assert update["surface"]["mode"] == "fissure"
+    assert update["colour"]["source"] == "edge_ratio"
+    assert shown_of(update) == {1}
+    assert session.status["camera"]["target"] == pytest.approx([1 / 6**0.5, 0, 0])
+
+
+def test_S1_a_document_that_is_no_json_is_told(session: Session) -> None:
+    with pytest.raises(HexaLabError, match="line 1, column 2"):
+        session.check("{x")
+
+
+def test_Q3_statistics_with_what_the_table_knows(session: Session) -> None:
+    numbers = session.quality("edge_ratio")
+    assert plain(numbers)
+    assert (numbers["id"], numbers["symbol"], numbers["low"], numbers["high"]) == ("edge_ratio", "ER", 1, 1)
+    assert numbers["full_range"] == [1, None]
+    load = session.quality("cell:load")
+    assert (load["mean"], load["low"], load["high"], load["best_value"]) == (2.5, 0, 5, None)
+    with pytest.raises(HexaLabError, match="no metric and no attribute 'x'"):
+        session.quality("x")
+
+
+def test_Q4_histogram_counts_every_finite_cell(session: Session) -> None:
+    told = session.histogram("cell:load", 3)
+    assert plain(told)
+    assert told["counts"].tolist() == [2, 2, 2]
+    assert np.allclose(told["map_position"], [1 / 6, 1 / 2, 5 / 6])
+    session.update({"filters": {"picking": {"hidden": [0, 5]}}})
+    assert session.histogram("cell:load", 3, True)["counts"].tolist() == [1, 2, 1]
+    sj = session.histogram("scaled_jacobian", 10)
+    assert (sj["low"], sj["high"]) == (0, 1)
+    assert sj["counts"].tolist() == [0] * 9 + [6]
+    assert (np.diff(sj["map_position"]) < 0).all()
+
+
+def test_Q4_the_histograms_axis_holds_negative_scaled_jacobians(twisted: bytes) -> None:
+    session = Session()
+    session.open("twisted.mesh", twisted)
+    told = session.histogram("scaled_jacobian", 20)
+    assert told["low"] == session.quality("scaled_jacobian")["min"] < 0
+    assert told["counts"].sum() == 2
+    assert told["map_position"][0] == 1
+
+
+def test_V7_inspector_agrees_with_the_whole_mesh(meshes: Path) -> None:
+    session = Session()
+    name = "2021-at-most-hexa--cylinder-n-slivers.mesh"
+    session.open(name, (meshes / name).read_bytes())
+    mesh = session._opened.mesh  # type: ignore[union-attr]
+    values = quality_many(mesh)
+    for cell in (0, 17, 900, 1745):
+        told = session.inspect(cell)
+        assert plain(told)
+        for metric, value in told["metrics"].items():
+            whole = values[metric][cell]
+            assert value == pytest.approx(whole, rel=1e-12) if np.isfinite(whole) else value is None
+        assert set(told["metrics"]) == set(METRICS)
+
+
+def test_V7_inspector(session: Session) -> None:
+    told = session.inspect(1)
+    assert (told["kind"], told["validity"]) == ("hexahedron", "valid")
+    assert told["corners"] == [1, 2, 6, 5, 13, 14, 18, 17]
+    assert told["coordinates"][0] == [1, 0, 0]
+    assert sorted(told["neighbours"]) == [-1, -1, -1, 0, 2, 4]
+    assert told["metrics"]["volume"] == 1
+    assert told["attributes"] == {
+        "load": 1,
+        "height (mean of corners)": 1.5,
+        "flow (mean of corners)": [1.5, 0.5, 0.5],
+    }
+    assert session.cell_view(1)["size"] == pytest.approx((3 / 14) ** 0.5)
+    assert session.cell_view(1)["centre"] == pytest.approx(list(np.array([0, -0.5, 0]) / 14**0.5))
+    for cell in (-1, 6):
+        with pytest.raises(HexaLabError, match=f"no cell {cell}"):
+            session.inspect(cell)
+
+
+def test_F4_the_cell_behind_a_face(session: Session) -> None:
+    behind = {session.neighbour(8 * 1 + local) for local in range(6)}
+    assert behind == {-1, 0, 2, 4}
+    assert session.neighbour(8 * 1 + 3) == 2
+
+
+def test_R9_findings_and_their_cells(twisted: bytes) -> None:
+    session = Session()
+    session.open("twisted.mesh", twisted)
+    told = session.describe()
+    assert plain(told)
+    assert told["components"] == 1
+    assert (told["faces"], told["edges"], told["cells_per_depth"], told["max_depth"]) == (11, 20, [2], 0)
+    assert told["findings"]
+    for finding in told["findings"]:
+        cells = session.finding_cells(finding["id"])
+        assert cells.dtype == np.uint32
+        assert set(cells.tolist()) <= {0, 1}
+    assert any(session.finding_cells(finding["id"]).tolist() == [1] for finding in told["findings"])
+    with pytest.raises(HexaLabError, match="found no 'x'"):
+        session.finding_cells("x")
+
+
+def test_Q6_validity(twisted: bytes) -> None:
+    session = Session()
+    session.open("twisted.mesh", twisted)
+    told = session.validity()
+    assert plain(told)
+    assert (told["valid"], told["invalid"], told["undecided"]) == (1, 1, 0)
+    assert told["invalid_cells"].tolist() == [1]
+
+
+def test_V9_everything_can_be_sent_again(block: Session) -> None:
+    block.describe()
+    block.update(DEFAULTS)
+    assert set(block.update()) & BUFFERS == set()
+    assert set(block.redraw()) & BUFFERS == BUFFERS
+
+
+def test_O2_preview(session: Session) -> None:
+    data = session.preview({"filters": {"picking": {"hidden": [0]}}, "colour": {"by": "quality"}})
+    assert isinstance(data, bytes)
+    found = unpack(data)
+    assert found["summary"]["cells"] == 6
+    assert found["summary"]["centre"] == [1.5, 1, 0.5]
+    assert found["shown_cells"] == 5
+    assert len(found["surface"]["positions"]) == 12 * len(found["surface"]["faces"])
+    assert len(found["colour"]["map_position"]) == 6
+    assert found["status"]["filters"]["picking"]["hidden"] == [0]
+
+
+def test_A1_formats_and_schema() -> None:
+    session = Session()
+    assert plain(session.formats())
+    assert {"mesh", "vtk"} <= {row["id"] for row in session.formats()}
+    assert session.schema()["defaults"] == DEFAULTS
+    assert session.check({"silhouette": 0.5})["partial"] == {"silhouette": 0.5}
+    for call in (session.update, session.describe, session.validity):
+        with pytest.raises(HexaLabError, match="no mesh is open"):
+            call()
+
+
+def test_P7_values_are_kept_within_bounds(block: Session, monkeypatch: pytest.MonkeyPatch) -> None:
+    opened = block._opened
+    assert opened is not None
+    monkeypatch.setattr("hexalab.session.opened.MOST_BYTES_OF_VALUES", 2 * 64 * 8)
+    first = opened.values("volume")
+    assert opened.values("volume") is first
+    opened.values("skew")
+    opened.values("taper")
+    assert opened.values("volume") is not first
+    assert len(opened._values) == 2
+
+
+@pytest.mark.skipif(not PICTURES.is_dir(), reason="the original's pictures are not here")
+def test_S4_the_view_of_a_real_picture_of_the_original(meshes: Path) -> None:
+    from hexalab.picture import read_settings
+
+    session = Session()
+    name = "2012-all-hex-meshing--rod-rod.vtk"
+    session.open(name, (meshes / name).read_bytes())
+    update = session.update(read_settings((PICTURES / "original-3.png").read_bytes()))
+    assert update["problems"] == []
+    assert update["surface"]["mode"] == "rounded"
+    assert update["colour"]["source"] == "scaled_jacobian"
+    mesh = session._opened.mesh  # type: ignore[union-attr]
+    x = mesh.coordinates[0]
+    low, high = x.min() - 1e-5, x.max() + 1e-5
+    behind = (x[mesh.corners] < low + 0.4000000059604645 * (high - low)).any(axis=0)
+    assert update["shown_cells"] == np.count_nonzero(~behind)
