@@ -161,6 +161,16 @@ class Source:
         return [display_name(author) for author in self.reference["author"]]
 
     @property
+    def short(self) -> str:
+        """Who and when: "Livesu et al. 2013"; a collection by a group is called by its title."""
+        authors = self.reference["author"]
+        if "literal" in authors[0]:
+            return self.title.split(":")[0]
+        names = [author.get("family") or author["literal"] for author in authors]
+        who = f"{names[0]} et al." if len(names) > 2 else " and ".join(names)
+        return f"{who} {self.year}"
+
+    @property
     def venue(self) -> str:
         """Where it appeared: "Computer Graphics Forum 30(5), 1407-1416"."""
         item = self.reference
@@ -170,6 +180,8 @@ class Source:
             text += f" {volume}" + (f"({issue})" if issue else "")
         if page:
             text += f", {page.replace('-', '–')}"
+        elif volume and item.get("number"):
+            text += f", article {item['number']}"
         return text
 
     @property

@@ -1,0 +1,255 @@
+"""Building the site: repository in, static pages out."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from urllib.parse import unquote
+
+from hexalab import HexaLabError
+
+from . import indexes
+from .exports import bibtex, csl_json, ris
+from .making import MakingError, make
+from .measuring import Measurer
+from .model import Catalogue, MeshEntry, Problem
+from .output import Output
+from .pages import Pages
+from .repository import read_repository
+from .thumbnails import Thumbnails
+from .words import file_size
+
+ROOT = Path(__file__).resolve().parent.parent
+STATIC = ROOT / "static"
+ADDRESS_VARIABLE = "HEXALAB_SITE_ADDRESS"
+"""Environment variable that says where the site will be, if not at the address in catalogue.yaml."""
+
+Progress = Callable[[str, float], None]
+"""Called with what is being done, and how much of all is done: 0 to 1."""
+
+
+class BuildError(Exception):
+    """The site can't be built; `problems` say why."""
+
+    def __init__(self, problems: list[Problem]) -> None:
+        super().__init__("\n".join(map(str, problems)))
+        self.problems = problems
+
+
+@dataclass
+class BuildReport:
+    """What a build has done.
+
+    Parameters
+    ----------
+    pages, sources, meshes, measured, changed : int
+        Numbers of pages, sources and meshes in the site; of meshes measured anew and files changed in this run.
+    seconds : float
+    sizes : dict of str to int
+        Bytes by the first part of the address.
+    warnings : list of Problem
+    """
+
+    pages: int = 0
+    sources: int = 0
+    meshes: int = 0
+    measured: int = 0
+    changed: int = 0
+    seconds: float = 0.0
+    sizes: dict[str, int] = field(default_factory=dict)
+    warnings: list[Problem] = field(default_factory=list)
+
+    @property
+    def summary(self) -> str:
+        """A few lines for the terminal."""
+        largest = sorted(self.sizes.items(), key=lambda row: -row[1])
+        rows = "\n".join(f"  {file_size(size):>9}  {name}" for name, size in largest)
+        return (
+            f"{self.pages:,} pages, {self.sources} sources, {self.meshes:,} meshes ({self.measured} measured), "
+            f"{self.changed:,} files changed, {file_size(sum(self.sizes.values()))} in {self.seconds:.1f} s\n{rows}"
+        )
+
+
+def build(
+    repository: Path,
+    out: Path,
+    strict: bool = False,
+    progress: Progress | None = None,
+    *,
+    runtime: bool = True,
+    cache: Path | None = None,
+) -> BuildReport:
+    """Build the site.
+
+    Parameters
+    ----------
+    repository : Path
+        Folder of sources.
+    out : Path
+        Folder of the site; made if it isn't there.
+    strict : bool
+        Whether a warning stops the build.
+    progress : callable, optional
+        Told what is being done and how far it is.
+    runtime : bool
+        Whether to put the viewer and its Python into the site; without it, the catalogue's pages alone.
+    cache : Path, optional
+        Folder of what is remembered between builds; `cache` beside `out` by default.
+
+    Raises
+    ------
+    BuildError
+        Something in the repository is wrong.
+    """
+    began = time.perf_counter()
+    tell = progress or (lambda what, part: None)
+    cache = cache or out.parent / "cache"
+    tell("reading the repository", 0.0)
+    catalogue = read_repository(repository)
+    catalogue.address = os.environ.get(ADDRESS_VARIABLE) or catalogue.address or "http://localhost:8000/"
+    measurer = Measurer(cache)
+    output = Output(out)
+    previews = _add_meshes(catalogue, measurer, output, cache, tell)
+    warnings = [problem for problem in catalogue.problems if problem.severity != "error"]
+    if catalogue.errors or (strict and warnings):
+        raise BuildError(catalogue.problems)
+    pictures = _add_pictures(catalogue, output, cache)
+    extras = _add_static(output)
+    pages = Pages(catalogue, pictures, extras)
+    addresses = []
+    for number, (page, html) in enumerate(pages.all()):
+        output.write(f"{page}index.html", html)
+        addresses.append(page)
+        if number % 50 == 0:
+            tell(f"page {page or 'index.html'}", 0.6 + 0.3 * number / (len(catalogue.meshes) + 40))
+    _add_indexes(catalogue, output, addresses, previews, pictures)
+    if runtime:
+        tell("the viewer and its Python", 0.9)
+        _add_viewer(pages, output, extras)
+    output.clean()
+    tell("done", 1.0)
+    return BuildReport(
+        pages=len(addresses),
+        sources=len(catalogue.sources),
+        meshes=len(catalogue.meshes),
+        measured=measurer.measured,
+        changed=output.changed,
+        seconds=time.perf_counter() - began,
+        sizes=_sizes(out),
+        warnings=warnings,
+    )
+
+
+def _add_meshes(
+    catalogue: Catalogue, measurer: Measurer, output: Output, cache: Path, tell: Progress
+) -> set[str]:
+    """Make, measure and copy the meshes that lie here; give the addresses of their previews."""
+    previews: set[str] = set()
+    here = [mesh for mesh in catalogue.meshes if mesh.kind != "url"]
+    for number, mesh in enumerate(here):
+        tell(f"mesh {mesh.id}", 0.02 + 0.55 * number / len(here))
+        try:
+            if mesh.kind == "made":
+                mesh.local = make(mesh, catalogue.root, cache)
+            if mesh.local is None or not mesh.local.is_file():
+                continue
+            mesh.facts = measurer.facts(mesh.local)
+            preview = measurer.preview(mesh.local, mesh.facts)
+        except (HexaLabError, MakingError) as error:
+            catalogue.problems.append(problem_of(mesh, str(error)))
+            continue
+        catalogue.problems.extend(_disagreements(mesh))
+        output.copy(unquote(mesh.file_address), mesh.local)
+        output.write(mesh.preview_address, preview)
+        previews.add(mesh.preview_address)
+    return previews
+
+
+def problem_of(mesh: MeshEntry, message: str, field_name: str = "") -> Problem:
+    """An error in a mesh's row of source.yaml."""
+    file = f"{mesh.source.folder.name}/source.yaml"
+    name = f"meshes[{mesh.source.meshes.index(mesh)}].{field_name or mesh.kind}"
+    return Problem("error", file, mesh.line, name, message)
+
+
+def _disagreements(mesh: MeshEntry) -> list[Problem]:
+    """Where source.yaml says something else than the file."""
+    found = []
+    if mesh.declared_cells is not None and mesh.declared_cells != mesh.facts.cells:
+        found.append(
+            problem_of(mesh, f"{mesh.declared_cells:,} here, {mesh.facts.cells:,} in the file", "cells")
+        )
+    if mesh.declared_sha256 is not None and mesh.declared_sha256 != mesh.facts.sha256:
+        found.append(
+            problem_of(mesh, f"{mesh.declared_sha256} here, the file's is {mesh.facts.sha256}", "sha256")
+        )
+    return found
+
+
+def _add_pictures(catalogue: Catalogue, output: Output, cache: Path) -> set[str]:
+    thumbnails = Thumbnails(cache)
+    pictures = set()
+    for mesh in catalogue.meshes:
+        picture = thumbnails.thumbnail(mesh)
+        if picture:
+            output.copy(mesh.picture_address, picture)
+            pictures.add(mesh.picture_address)
+    return pictures
+
+
+def _add_static(output: Output) -> dict[str, str]:
+    """Styles, scripts of the catalogue, icon; what else lies in `static/` goes to the root."""
+    for folder in ("styles", "catalogue"):
+        for file in sorted((STATIC / folder).glob("*.*")):
+            output.copy(f"{folder}/{file.name}", file)
+    extras = {}
+    for file in sorted(STATIC.glob("*.*")):
+        output.copy(file.name, file)
+        if file.suffix == ".webmanifest":
+            extras["manifest"] = file.name
+    return extras
+
+
+def _add_indexes(
+    catalogue: Catalogue, output: Output, pages: list[str], previews: set[str], pictures: set[str]
+) -> None:
+    output.write("catalogue.json", indexes.catalogue_json(catalogue, previews))
+    output.write("index.json", indexes.index_json(catalogue))
+    output.write("search.json", indexes.search_json(catalogue, pictures))
+    output.write("datasets/index.json", indexes.original_index(catalogue))
+    output.write("sitemap.xml", indexes.sitemap(catalogue, pages))
+    output.write("robots.txt", f"User-agent: *\nAllow: /\nSitemap: {catalogue.address}sitemap.xml\n")
+    for name, writer in (("bib", bibtex), ("ris", ris), ("csl.json", csl_json)):
+        output.write(f"catalogue.{name}", writer(source.reference for source in catalogue.sources))
+        for source in catalogue.sources:
+            output.write(f"{source.page}{source.slug}.{name}", writer([source.reference]))
+
+
+def _add_viewer(pages: Pages, output: Output, extras: dict[str, str]) -> None:
+    from .runtime import assemble
+    from .viewer_tables import viewer_tables
+
+    report = assemble(output.root)
+    html = pages.viewer(
+        script="../" + report.scripts["main"],
+        worker="../" + report.scripts["worker"],
+        runtime="../" + report.runtime,
+        styles=["../styles/tokens.css", "../styles/viewer.css"],
+        manifest="../" + extras["manifest"] if "manifest" in extras else "",
+        favicon="../icon.svg",
+        tables=viewer_tables(),
+    )
+    output.write("viewer/index.html", html)
+
+
+def _sizes(out: Path) -> dict[str, int]:
+    sizes: dict[str, int] = {}
+    for file in out.rglob("*"):
+        if file.is_file():
+            parts = file.relative_to(out).parts
+            name = parts[0] + "/" if len(parts) > 1 else "at the root"
+            sizes[name] = sizes.get(name, 0) + file.stat().st_size
+    return sizes

@@ -1,0 +1,59 @@
+"""The Scaled Jacobian's histogram as the numbers of an SVG, for the template to draw."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+WIDTH, HEIGHT = 480, 140
+_BASE = 116
+ACCEPTABLE = (0.5, 1.0)
+"""The acceptable range of the Scaled Jacobian, after Verdict's manual."""
+
+
+@dataclass(frozen=True)
+class Bar:
+    """One bin: place, size, whether it holds values that aren't positive, and what it says when pointed at."""
+
+    x: float
+    y: float
+    width: float
+    height: float
+    bad: bool
+    title: str
+
+
+@dataclass(frozen=True)
+class Histogram:
+    """All that the template draws."""
+
+    width: int
+    height: int
+    base: int
+    bars: list[Bar]
+    ticks: list[tuple[float, str]]
+    bracket: tuple[float, float]
+    peak: int
+
+
+def draw(histogram: dict[str, Any]) -> Histogram:
+    """Place the bars of ``{low, high, counts}``."""
+    low, high, counts = histogram["low"], histogram["high"], histogram["counts"]
+    step = WIDTH / len(counts)
+    value_step = (high - low) / len(counts)
+    peak = max(counts) or 1
+    bars = []
+    for index, number in enumerate(counts):
+        if number:
+            height = max(1.0, (_BASE - 12) * number / peak)
+            start = low + index * value_step
+            title = f"{start:.3f} to {start + value_step:.3f}: {number:,} cell{'' if number == 1 else 's'}"
+            bad = start + value_step <= 1e-9
+            x, y = round(index * step + 0.5, 2), round(_BASE - height, 2)
+            bars.append(Bar(x, y, round(step - 1, 2), round(height, 2), bad, title.replace("-", "−")))
+    ticks = [
+        (round((value - low) / (high - low) * WIDTH, 2), f"{value:g}".replace("-", "−"))
+        for value in ([-1, -0.5, 0, 0.5, 1] if low < 0 else [0, 0.25, 0.5, 0.75, 1])
+    ]
+    place = [round((value - low) / (high - low) * WIDTH, 2) for value in ACCEPTABLE]
+    return Histogram(WIDTH, HEIGHT, _BASE, bars, ticks, (place[0], place[1]), peak)

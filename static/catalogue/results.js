@@ -1,0 +1,160 @@
+/** @typedef {import("./index.js").Row} Row */
+
+const NOT_KNOWN = "–";
+const count = new Intl.NumberFormat("en-GB");
+
+/**
+ * What was found as cards, like those that the page came with.
+ *
+ * @param {Row[]} rows
+ * @param {string} root
+ */
+export function cards(rows, root) {
+  const list = element("ul", "cards");
+  for (const row of rows) {
+    const link = element("a", "card-link");
+    link.href = pageOf(row, root);
+    link.append(picture(row, root), element("span", "card-name", row.name));
+    const facts = element("span", "card-facts");
+    facts.append(
+      element("span", "", `${number(row.cells)} cells`),
+      element("span", "", `SJ ≥ ${decimal(row.low)}`),
+    );
+    if (row.codes[3] === "1") facts.append(element("span", "mark mark-invalid", "invalid"));
+    const card = element("li", "card");
+    card.append(link, element("span", "card-source", row.source.short), facts);
+    list.append(card);
+  }
+  return list;
+}
+
+/**
+ * What was found as a table.
+ *
+ * @param {Row[]} rows
+ * @param {string} root
+ */
+export function table(rows, root) {
+  const made = element("table", "meshes");
+  const head = made.createTHead().insertRow();
+  const titles = ["Name", "Source", "Cells", "SJ min", "SJ mean", "Irregular edges", "Validity"];
+  for (const [place, title] of titles.entries()) {
+    const cell = element("th", place >= 2 && place <= 5 ? "number" : "", title);
+    cell.scope = "col";
+    head.append(cell);
+  }
+  const body = made.createTBody();
+  for (const row of rows) {
+    const line = body.insertRow();
+    const name = element("th");
+    name.scope = "row";
+    const link = element("a", "", row.name);
+    link.href = pageOf(row, root);
+    name.append(link);
+    line.append(name, element("td", "", row.source.short));
+    for (const text of [number(row.cells), decimal(row.low), decimal(row.mean), number(row.irregular)]) {
+      line.append(element("td", "number", text));
+    }
+    const [state, word] = VALIDITY[Number(row.codes[3])];
+    const cell = element("td");
+    cell.append(element("span", `mark mark-${state}`, word));
+    line.append(cell);
+  }
+  const scroll = element("div", "scroll");
+  scroll.tabIndex = 0;
+  scroll.setAttribute("role", "region");
+  scroll.setAttribute("aria-label", "Table of meshes");
+  scroll.append(made);
+  return scroll;
+}
+
+/** The facet "validity", option by option: class of the mark and its word. */
+const VALIDITY = [
+  ["good", "valid"],
+  ["invalid", "invalid"],
+  ["warning", "undecided"],
+  ["unknown", "not measured"],
+];
+
+/**
+ * @param {Row} row
+ * @param {string} root
+ */
+function picture(row, root) {
+  const frame = element("span", row.picture ? "card-picture" : "card-picture is-empty");
+  if (row.picture) {
+    const image = element("img");
+    image.src = `${root}pictures/${row.source.slug}/${row.slug}.png`;
+    image.alt = "";
+    image.width = 720;
+    image.height = 480;
+    image.loading = "lazy";
+    frame.append(image);
+  } else {
+    const words = row.low === null ? "not measured yet" : "Scaled Jacobian, −1 to 1";
+    frame.append(range(row), element("span", "card-glyph-text", words));
+  }
+  return frame;
+}
+
+/** @param {Row} row */
+function range(row) {
+  const place = (/** @type {number} */ value) => (50 + 48 * Math.min(1, Math.max(-1, value))).toFixed(1);
+  const glyph = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+  glyph.setAttribute("viewBox", "0 0 100 12");
+  glyph.setAttribute("class", "range");
+  glyph.setAttribute("aria-hidden", "true");
+  const paths = [["range-axis", "M2 6H98"]];
+  if (row.low !== null && row.mean !== null && row.high !== null) {
+    paths.push(["range-zero", "M50 1V11"]);
+    const bad = row.low <= 0 ? " is-bad" : "";
+    paths.push([`range-bar${bad}`, `M${place(row.low)} 6H${place(row.high)}`]);
+    paths.push(["range-mean", `M${place(row.mean)} 2V10`]);
+  }
+  for (const [name, data] of paths) {
+    const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
+    path.setAttribute("class", name);
+    path.setAttribute("d", data);
+    glyph.append(path);
+  }
+  return glyph;
+}
+
+/**
+ * @param {Row} row
+ * @param {string} root
+ */
+function pageOf(row, root) {
+  return `${root}sources/${row.source.slug}/${row.slug}/index.html`;
+}
+
+/** @param {number | null} value */
+function number(value) {
+  return value === null ? NOT_KNOWN : count.format(value);
+}
+
+/**
+ * Three decimals, an exponent where they would read 0: as the pages made at build write it.
+ *
+ * @param {number | null} value
+ */
+export function decimal(value) {
+  if (value === null) return NOT_KNOWN;
+  if (value === 0) return "0";
+  const text = Math.abs(value) < 0.0005 ? value.toExponential(3) : value.toFixed(3);
+  return text.replaceAll("-", "−");
+}
+
+/**
+ * @template {keyof HTMLElementTagNameMap} T
+ * @param {T} tag
+ * @param {string} [name] class
+ * @param {string} [text]
+ * @returns {HTMLElementTagNameMap[T]}
+ */
+function element(tag, name = "", text = "") {
+  const made = document.createElement(tag);
+  if (name) made.className = name;
+  if (text) made.textContent = text;
+  return made;
+}
