@@ -9,10 +9,9 @@ from typing import Any
 
 import hexalab
 import numpy as np
+from hexalab.diagnosis import turn_round
 from hexalab.formats import read_bytes
 from hexalab.quality import histogram, quality
-from hexalab.quality.validity import certify
-from hexalab.session import Session
 from hexalab.summary import summarise
 
 from .facts import Facts
@@ -57,6 +56,8 @@ class Measurer:
         """What the viewer draws of a mesh before Python has started: its surface under the default status."""
         kept = self._kept(str(facts.sha256), "preview")
         if not kept.exists():
+            from hexalab.session import Session
+
             session = Session()
             session.open(file.name, file.read_bytes())
             kept.parent.mkdir(parents=True, exist_ok=True)
@@ -69,7 +70,7 @@ class Measurer:
 
 def measure(data: bytes, name: str) -> Facts:
     """The facts of a mesh file's bytes."""
-    mesh = read_bytes(data, name)
+    mesh = turn_round(read_bytes(data, name))
     summary = summarise(mesh)
     jacobian = quality(mesh, "scaled_jacobian")
     finite = jacobian[np.isfinite(jacobian)]
@@ -95,6 +96,8 @@ def _valences(key: str, value: Any) -> Any:
 
 
 def _validity(mesh: hexalab.Mesh) -> dict[str, int]:
+    from hexalab.quality.validity import certify
+
     counts = np.bincount(certify(mesh).state, minlength=3)
     return {word: int(count) for word, count in zip(("invalid", "valid", "undecided"), counts, strict=True)}
 
