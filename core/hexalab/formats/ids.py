@@ -1,8 +1,9 @@
-"""Vertex ids: kept as int32, whatever the file has."""
+"""Vertex ids: kept as int32, whatever the file has; a file's own numbering made ours."""
 
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..mesh import Array
 
@@ -16,3 +17,32 @@ def within_int32(values: Array) -> Array:
     if len(values) and (int(values.max()) > LARGEST_ID or int(values.min()) < -LARGEST_ID):
         return np.clip(values, -LARGEST_ID, LARGEST_ID)
     return values
+
+
+class Numbering:
+    """A file's own numbers of vertices or cells, in any order and with gaps.
+
+    Parameters
+    ----------
+    tags : (n,) integers
+        The number of each entry, in file order; where one occurs twice, the first counts.
+    """
+
+    def __init__(self, tags: Array) -> None:
+        self.count = len(tags)
+        self.first = int(tags[0]) if len(tags) else 0
+        self.consecutive = bool((np.diff(tags) == 1).all())
+        if not self.consecutive:
+            self.order = np.argsort(tags, kind="stable")
+            self.sorted = tags[self.order]
+
+    def places(self, tags: Array) -> NDArray[np.int32]:
+        """Place in file order of each number; -1 where it is not there. Same shape as `tags`."""
+        if not self.count:
+            return np.full(tags.shape, -1, dtype=np.int32)
+        if self.consecutive:
+            places = tags.astype(np.int64) - self.first
+            return np.where((places >= 0) & (places < self.count), places, -1).astype(np.int32)
+        found = np.searchsorted(self.sorted, tags)
+        found[found == self.count] = 0
+        return np.where(self.sorted[found] == tags, self.order[found], -1).astype(np.int32)

@@ -7,11 +7,14 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from ..mesh import Mesh
-from . import medit, vtk_legacy, vtu, write_medit, write_vtk, write_vtu
+from . import abaqus, gmsh, medit, meditb, openvolumemesh, vtk_legacy, vtu, write_medit, write_vtk, write_vtu
 from .source import Source
 
 HEAD = 8192
 """Bytes from the file's start that the content is judged by."""
+
+START = rb"(?:\s|\xef\xbb\xbf)*"
+"""What may stand before a text file's first word: white space, a byte order mark."""
 
 
 @dataclass(frozen=True)
@@ -47,7 +50,7 @@ FORMATS: tuple[Format, ...] = (
         "mesh",
         "Medit ASCII",
         (".mesh",),
-        re.compile(rb"(?:\s|\xef\xbb\xbf|#[^\r\n]*)*MeshVersionFormatted\b", re.I),
+        re.compile(rb"(?:\s|\xef\xbb\xbf|#[^\r\n]*[\r\n])*MeshVersionFormatted\b", re.I),
         medit.read,
         write_medit.write,
     ),
@@ -55,7 +58,7 @@ FORMATS: tuple[Format, ...] = (
         "vtk",
         "VTK legacy",
         (".vtk",),
-        re.compile(rb"(?:\s|\xef\xbb\xbf)*#\s*vtk\s+DataFile", re.I),
+        re.compile(START + rb"#\s*vtk\s+DataFile", re.I),
         vtk_legacy.read,
         write_vtk.write,
     ),
@@ -63,9 +66,25 @@ FORMATS: tuple[Format, ...] = (
         "vtu",
         "VTK XML",
         (".vtu",),
-        re.compile(rb"(?:\s|\xef\xbb\xbf)*<(?:\?xml|!--|VTKFile)"),
+        re.compile(START + rb"<(?:\?xml|!--|VTKFile)"),
         vtu.read,
         write_vtu.write,
+    ),
+    Format(
+        "meshb",
+        "Medit binary",
+        (".meshb",),
+        re.compile(rb"\x01\x00{3}[\x01-\x04]\x00{3}|\x00{3}\x01\x00{3}[\x01-\x04]"),
+        meditb.read,
+    ),
+    Format("msh", "Gmsh", (".msh",), re.compile(START + rb"\$(?:MeshFormat|Comments)"), gmsh.read),
+    Format("ovm", "OpenVolumeMesh", (".ovm",), re.compile(START + rb"OVM\s", re.I), openvolumemesh.read),
+    Format(
+        "inp",
+        "Abaqus",
+        (".inp",),
+        re.compile(START + rb"\*(?:\*|HEADING|NODE\b|PART|INCLUDE)", re.I),
+        abaqus.read,
     ),
 )
 

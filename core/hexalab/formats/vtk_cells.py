@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from ..errors import MeshReadError
 from ..mesh import CHUNK, HEXAHEDRON, Array, Floats, Ids
 from .assembly import Assembly, CellBlock, check_ids
+from .row_chain import ErrorAt
 from .vtk_types import CELL_TYPES, HEXAHEDRON_TYPE, VOXEL, CellType
-from .vtk_values import ErrorAt
 
 VOXEL_SAMPLE = 4096
 

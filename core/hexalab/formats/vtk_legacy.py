@@ -14,12 +14,12 @@ import numpy as np
 
 from ..mesh import Array, Mesh
 from .assembly import Assembly, check_finite
-from .row_chain import row_starts
+from .row_chain import COUNTED, ErrorAt, row_starts
 from .source import Source
 from .text import NUMBER, Text, shown
 from .vtk_attributes import SECTIONS, Attributes
 from .vtk_cells import Rows, add_cells, spans
-from .vtk_values import ErrorAt, Values
+from .vtk_values import Values
 
 HEADER = re.compile(rb"\s*#\s*vtk\s+DataFile[^\r\n]*\r?\n", re.I)
 VOLUMES = "expected UNSTRUCTURED_GRID, a mesh of volumetric cells"
@@ -162,7 +162,7 @@ class Reader:
             starts: Array = np.arange(1, size, uniform + 1)
             sizes = np.full(count, uniform, dtype=np.int32)
         else:
-            starts, uniform = row_starts(ids, count, error_at) + 1, 0
+            starts, uniform = row_starts(ids, count, COUNTED, error_at, "CELLS") + 1, 0
             sizes = ids[starts - 1].astype(np.int32)
         self.cells = ids, starts, sizes, error_at, uniform
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -10,11 +9,9 @@ from numpy.typing import NDArray
 
 from ..errors import MeshReadError
 from ..mesh import Array
+from .row_chain import ErrorAt
 from .text import Text, shown
 from .vtk_types import NUMBER_TYPES
-
-ErrorAt = Callable[[str, int], MeshReadError]
-"""Makes the error for a message about the number with that index in a block."""
 
 
 class Values:

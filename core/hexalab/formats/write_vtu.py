@@ -39,7 +39,7 @@ def array(name: str, values: Array, width: int) -> list[bytes]:
     """A DataArray element."""
     values = storable(values)
     little = np.ascontiguousarray(values, dtype=values.dtype.newbyteorder("<"))
-    data = memoryview(little.reshape(-1)).cast("B")
+    data = memoryview(little.reshape(-1).view(np.uint8).data)
     blocks = [zlib.compress(data[start : start + BLOCK], 6) for start in range(0, len(data), BLOCK)]
     header = [len(blocks), BLOCK, len(data) % BLOCK, *map(len, blocks)] if blocks else [0]
     kind = NAMES[values.dtype.str[1:]]

@@ -1,0 +1,111 @@
+"""Blocks of numbers in a `.msh` file, ASCII or binary."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import MeshReadError
+from .source import Source
+from .text import Text, shown
+
+
+class Numbers:
+    """Takes numbers from the present position of a `.msh` file.
+
+    Parameters
+    ----------
+    source : Source
+        The file; its section $MeshFormat is read at once.
+
+    Attributes
+    ----------
+    text : Text
+        The file and the present position.
+    version : str
+        As the file says, "2.2" or "4.1" among others.
+    """
+
+    def __init__(self, source: Source) -> None:
+        self.text = text = Text(source)
+        start = text.data.find(b"$MeshFormat")
+        if start < 0:
+            raise source.error(
+                "the file has no section $MeshFormat, expected Gmsh's .msh 2.2 or 4.1", line_at=0
+            )
+        text.position = start + len("$MeshFormat")
+        self.version = text.word().decode("latin-1")
+        binary = text.integer("the file type, 0 or 1")
+        size = text.integer("the size of numbers")
+        if binary not in (0, 1) or size not in (4, 8):
+            raise text.error(
+                f"the file type {binary} and number size {size} were found, expected 0 or 1, 4 or 8"
+            )
+        self.binary = binary == 1
+        self.order = "<"
+        self.size_code = f"i{size}"
+        if self.binary:
+            text.line()
+            mark = text.data[text.position : text.position + 4]
+            if mark not in (b"\1\0\0\0", b"\0\0\0\1"):
+                raise source.error(
+                    "expected the number 1 as 4 bytes after the format's line", offset=text.position
+                )
+            self.order = "<" if mark == b"\1\0\0\0" else ">"
+            text.position += 4
+        end = text.word()
+        if end != b"$EndMeshFormat":
+            raise text.error(f"{shown(end)} stands where $EndMeshFormat was expected")
+
+    def begin(self) -> None:
+        """Go to a section's numbers, from behind its name."""
+        if self.binary:
+            self.text.line()
+
+    def ints(self, count: int, what: str) -> NDArray[Any]:
+        """C's int."""
+        return self.take(count, "i4", what)
+
+    def sizes(self, count: int, what: str) -> NDArray[Any]:
+        """C's size_t."""
+        return self.take(count, self.size_code, what)
+
+    def doubles(self, count: int, what: str) -> NDArray[Any]:
+        """C's double."""
+        return self.take(count, "f8", what)
+
+    def take(self, count: int, code: str, what: str) -> NDArray[Any]:
+        """So many numbers as an array."""
+        text = self.text
+        if not self.binary:
+            return text.numbers(count, np.float64 if code == "f8" else np.intp, what)
+        dtype = np.dtype(self.order + code)
+        return np.frombuffer(self.bytes(count * dtype.itemsize, what), dtype)
+
+    def bytes(self, size: int, what: str) -> memoryview:
+        """So many bytes of a binary file."""
+        text = self.text
+        left = len(text.data) - text.position
+        if not 0 <= size <= left:
+            raise self.error(
+                f"{what} should be {size} bytes, but the file has only {left} more", text.position
+            )
+        text.position += size
+        return memoryview(text.data)[text.position - size : text.position]
+
+    def count(self, number: int, least: int, what: str) -> int:
+        """A number of entries from a header, each of at least so many bytes or digits, checked against the
+        file."""
+        left = len(self.text.data) - self.text.position + 1
+        if number < 0 or number * least > left:
+            raise self.error(f"{number} {what} are announced, but the file has only {left - 1} more bytes")
+        return number
+
+    def error(self, message: str, offset: int | None = None) -> MeshReadError:
+        """The error at a place, by line or by byte."""
+        offset = self.text.position if offset is None else offset
+        if self.binary:
+            return self.text.source.error(message, offset=offset)
+        return self.text.error(message, offset)

@@ -1,0 +1,175 @@
+"""OpenVolumeMesh `.ovm`, ASCII (SPEC R5): hexahedra and other kinds are rebuilt from their half-faces.
+
+A half-edge or half-face is an edge or face and a side: `2 * id + side`. The half-faces of a cell are seen
+counter-clockwise from outside (OpenVolumeMesh's HexahedralMeshTopologyKernel).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import MeshReadError
+from ..mesh import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE, Array, Mesh
+from .assembly import Assembly, CellBlock, check_finite, free_name
+from .half_faces import rebuilt
+from .ids import within_int32
+from .row_chain import COUNTED, row_starts
+from .source import Source
+from .text import Text, shown
+
+COMPONENTS = dict.fromkeys(
+    ("float", "double", "int", "uint", "unsigned_int", "short", "long", "bool", "char", "uchar"), 1
+) | {f"vec{size}{code}": size for size in (2, 3, 4) for code in "fdi"}
+"""Numbers in a value of a property's type."""
+
+SHAPES = (
+    (HEXAHEDRON, 6, {4: 6}),
+    (WEDGE, 5, {3: 2, 4: 3}),
+    (PYRAMID, 5, {3: 4, 4: 1}),
+    (TETRAHEDRON, 4, {3: 4}),
+)
+"""Kind, number of faces, how many of them have so many corners."""
+
+
+def read(source: Source) -> Mesh:
+    """Read the bytes of an `.ovm` file; raises MeshReadError."""
+    return Reader(source).read()
+
+
+class Reader:
+    """One pass over the sections."""
+
+    def __init__(self, source: Source) -> None:
+        self.text = text = Text(source, comment=b"#")
+        self.out = Assembly(source, "ovm")
+        if text.word().upper() != b"OVM":
+            raise text.error("expected OVM ASCII on the first line", 0)
+        form = text.word()
+        if form.upper() != b"ASCII":
+            raise text.error(f"the file is in the form {shown(form)}, expected ASCII")
+
+    def read(self) -> Mesh:
+        text = self.text
+        self.expect(b"Vertices")
+        count = text.count("vertices", 3)
+        start = text.position
+        points = np.ascontiguousarray(text.numbers(3 * count, np.float64, "Vertices").reshape(count, 3).T)
+        check_finite(
+            points, lambda message, vertex: text.error(message, text.number_offset(start, 3 * vertex))
+        )
+        self.out.coordinates = points
+        self.expect(b"Edges")
+        edges, edge_error = self.ids(2 * text.count("edges", 2), "Edges")
+        self.in_range(edges, count, edge_error, "vertex")
+        self.expect(b"Faces")
+        half_edges, face_starts, sizes, face_error = self.polygons("faces")
+        self.in_range(half_edges, len(edges), face_error, "half-edge", face_starts)
+        origins = edges.reshape(-1, 2)[half_edges >> 1, half_edges & 1]
+        self.expect(b"Polyhedra")
+        half_faces, cell_starts, cell_sizes, cell_error = self.polygons("cells")
+        self.in_range(half_faces, 2 * len(sizes), cell_error, "half-face", cell_starts)
+        kinds = self.cells(origins, face_starts, sizes, half_faces, cell_starts, cell_sizes)
+        self.properties(count, len(cell_sizes), np.flatnonzero(kinds >= 0))
+        return self.out.mesh()
+
+    def expect(self, keyword: bytes) -> None:
+        start = self.text.word_offset()
+        word = self.text.word()
+        if word.lower() != keyword.lower():
+            raise self.text.error(f"{shown(word)} stands where {keyword.decode()} was expected", start)
+
+    def ids(self, count: int, what: str) -> tuple[NDArray[np.int32], Any]:
+        start = self.text.position
+        values = self.text.ids(count, what)
+        return values, lambda m, index: self.text.error(m, self.text.number_offset(start, index))
+
+    def in_range(self, ids: Array, count: int, error_at: Any, what: str, skip: Array | None = None) -> None:
+        """Raise unless all ids are below the count; those at `skip` - 1 are row lengths, and set to 0."""
+        if skip is not None:
+            ids[skip - 1] = 0
+        wrong = (ids < 0) | (ids >= count)
+        if len(ids) and wrong.any() and (skip is None or len(skip)):
+            index = int(np.argmax(wrong))
+            raise error_at(f"{what} {int(ids[index])} is not there, expected 0 to {count - 1}", index)
+
+    def polygons(self, what: str) -> tuple[NDArray[np.int32], Array, Array, Any]:
+        """Rows of a count and so many ids: all numbers, where each row's ids begin, their counts."""
+        text = self.text
+        count = text.count(what, 2)
+        start = text.position
+        end = text.data.find(b"Polyhedra" if what == "faces" else b"Prop", start)
+        end = len(text.data) if end < 0 else end
+        if what == "cells" and end < len(text.data):
+            end = max(text.data.rfind(b"\n", start, end), text.data.rfind(b"\r", start, end)) + 1 or end
+        values = within_int32(text.between(start, end, np.intp, what.capitalize())).astype(
+            np.int32, copy=False
+        )
+
+        def error_at(message: str, index: int) -> MeshReadError:
+            return text.error(message, text.number_offset(start, index))
+
+        starts = row_starts(values, count, COUNTED, error_at, what.capitalize())
+        return values, starts + 1, values[starts].copy(), error_at
+
+    def cells(
+        self,
+        origins: Array,
+        face_starts: Array,
+        sizes: Array,
+        half_faces: Array,
+        starts: Array,
+        counts: Array,
+    ) -> NDArray[np.int8]:
+        """Add the cells kind by kind; returns the kind of each, -1 for what is left out."""
+        kinds = np.full(len(counts), -1, dtype=np.int8)
+        corners: dict[int, Array] = {}
+        for kind, face_count, shape in SHAPES:
+            which = np.flatnonzero(counts == face_count)
+            if not len(which):
+                continue
+            faces = half_faces[starts[which][:, None] + np.arange(face_count)]
+            found = sizes[faces >> 1]
+            fits = np.ones(len(which), dtype=bool)
+            for size, number in shape.items():
+                fits &= (found == size).sum(axis=1) == number
+            which, faces = which[fits], faces[fits]
+            own, good = rebuilt(kind, faces, origins, face_starts, sizes)
+            kinds[which[good]] = kind
+            corners[kind] = own[:, good]
+        self.out.leave_out("polyhedra", int((kinds < 0).sum()))
+        place = np.cumsum(kinds >= 0) - 1
+        for kind, own in corners.items():
+            self.out.blocks.append(
+                CellBlock(kind, own, lambda m, *_: self.text.error(m), cells=place[kinds == kind])
+            )
+        return kinds
+
+    def properties(self, vertex_count: int, cell_count: int, kept: Array) -> None:
+        """Read `VProp type "name"` and `CProp`, each followed by one value per entry; skip the rest."""
+        text = self.text
+        while word := text.word():
+            on = word.decode("latin-1").lower()
+            words = text.line().split(None, 1)
+            width = COMPONENTS.get(words[0].decode("latin-1").lower(), 0) if words else 0
+            if on not in ("vprop", "cprop") or len(words) < 2 or not width:
+                self.skip_property()
+                continue
+            name = words[1].strip().strip(b'"').decode("utf-8", "replace")
+            count = vertex_count if on == "vprop" else cell_count
+            values = text.numbers(count * width, np.float64, f"the property {shown(words[1])}").reshape(
+                count, width
+            )
+            arrays = self.out.point_data if on == "vprop" else self.out.cell_data
+            arrays[free_name(arrays, name)] = values if on == "vprop" else values[kept]
+
+    def skip_property(self) -> None:
+        """Go to the next line that begins a property."""
+        text = self.text
+        at = text.data.find(b"Prop", text.position)
+        if at < 0:
+            text.position = len(text.data)
+            return
+        text.position = max(text.position, text.data.rfind(b"\n", text.position, at) + 1)
