@@ -29,8 +29,8 @@ BITS = (0, 1, 3, 2, 4, 5, 7, 6)
 TOLERANCE = 10 * float(np.finfo(np.float64).eps)
 """Verdict's threshold, found by bisection: relative to the diagonal of the cell's box, its square or its cube."""
 
-ENDS = ((1, 2, 5, 6), (2, 3, 6, 7), (4, 5, 6, 7))
-"""Corners at the far end of the principal axes X, Y, Z."""
+EDGE_ORDER = ((0, 1, 2, 3), (0, 1, 3, 2), (0, 2, 1, 3))
+"""Rows of u, v, w in the order of Verdict's manual."""
 
 DIAGONALS = ((0, 6), (1, 7), (2, 4), (3, 5))
 
@@ -171,15 +171,12 @@ class HexahedronBlock(Arena):
 
     @shared
     def axes(self) -> tuple[Floats, Floats, Floats]:
-        """Principal axes X, Y, Z, (3, n) each, summed from the corners as Verdict does, to round alike."""
+        """Principal axes X, Y, Z, (3, n) each: the sums of the edges, added up in the manual's order."""
         out = self.array("axes", 3, 3)
-        for axis, ends in zip(out, ENDS, strict=True):
-            np.add(self.corner(ends[0]), self.corner(ends[1]), out=axis)
-            axis += self.corner(ends[2])
-            axis += self.corner(ends[3])
-            for corner in range(8):
-                if corner not in ends:
-                    axis -= self.corner(corner)
+        for axis, edges, (a, b, c, d) in zip(out, (self.u, self.v, self.w), EDGE_ORDER, strict=True):
+            np.add(edges[:, a], edges[:, b], out=axis)
+            axis += edges[:, c]
+            axis += edges[:, d]
         return out[0], out[1], out[2]
 
     @shared

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..mesh import HEXAHEDRON, Floats, Mesh
-from . import face_angles, hexahedron, hexahedron_shape
+from . import face_angles, hexahedron, hexahedron_shape, nodal
 from .arena import BLOCK
 from .block import HexahedronBlock
 from .metrics import METRICS
@@ -34,7 +34,7 @@ HEXAHEDRON_KERNELS: Kernels = {
     "volume": hexahedron_shape.volume,
     "dimension": hexahedron_shape.dimension,
     "equiangle_skew": face_angles.equiangle_skew,
-    "nodal_jacobian_ratio": hexahedron.nodal_jacobian_ratio,
+    "nodal_jacobian_ratio": nodal.nodal_jacobian_ratio,
     "corner_sum": hexahedron_shape.corner_sum,
 }
 

@@ -44,20 +44,20 @@ def short_edges(block: HexahedronBlock, with_axes: bool) -> Floats | None:
 
 
 def diagonal(block: HexahedronBlock, out: Floats) -> None:
-    """Shortest over longest space diagonal; -inf where all vanish (below 2.2e-15)."""
+    """Shortest over longest space diagonal; -inf where all vanish (the box diagonal below 2.2e-15)."""
     shortest, longest = block.diagonals
     np.divide(shortest, longest, out=out)
-    out[longest <= TOLERANCE] = -inf
+    out[longest <= TOLERANCE * block.size] = -inf
 
 
 def stretch(block: HexahedronBlock, out: Floats) -> None:
-    """sqrt(3) shortest edge / longest space diagonal; -inf where all diagonals vanish (below 2.2e-15)."""
+    """sqrt(3) shortest edge / longest space diagonal; -inf where the box diagonal is below 2.2e-15."""
     longest = block.diagonals[1]
     np.min(block.squares, axis=0, out=out)
     np.sqrt(out, out=out)
     out /= longest
     out *= sqrt(3)
-    out[longest <= TOLERANCE] = -inf
+    out[longest <= TOLERANCE * block.size] = -inf
 
 
 def edge_ratio(block: HexahedronBlock, out: Floats) -> None:
@@ -109,13 +109,14 @@ def taper(block: HexahedronBlock, out: Floats) -> None:
     mixed, square, scratch = block.array("mixed", 3), block.array("own_1"), block.array("scratch_1")
     lengths = block.axis_lengths
     out.fill(0)
-    for i, j, plus in ((0, 1, (0, 2, 4, 6)), (0, 2, (0, 3, 5, 6)), (1, 2, (0, 1, 6, 7))):
-        np.add(block.corner(plus[0]), block.corner(plus[1]), out=mixed)
-        mixed += block.corner(plus[2])
-        mixed += block.corner(plus[3])
-        for corner in range(8):
-            if corner not in plus:
-                mixed -= block.corner(corner)
+    for i, j, edges, (a, b, c, d) in (
+        (0, 1, block.u, (1, 0, 3, 2)),
+        (0, 2, block.w, (2, 0, 1, 3)),
+        (1, 2, block.v, (3, 0, 2, 1)),
+    ):
+        np.subtract(edges[:, a], edges[:, b], out=mixed)
+        mixed += edges[:, c]
+        mixed -= edges[:, d]
         dot(mixed, mixed, square, scratch)
         np.sqrt(square, out=square)
         np.minimum(lengths[i], lengths[j], out=scratch)
@@ -132,42 +133,39 @@ def jacobian(block: HexahedronBlock, out: Floats) -> None:
     overflow(out)
 
 
-def nodal_jacobian_ratio(block: HexahedronBlock, out: Floats) -> None:
-    """Smallest over largest u.(v x w) of the corners; -inf where the largest is below 2.2e-15 (no unit!).
-
-    Verdict starts at 1e30 when it looks for the smallest, so that cells whose determinants are all larger get
-    1e30 / largest: a cube of edge 1e12 gets 1e-6.
-    """
-    largest = block.determinants.max(axis=0)
-    np.min(block.determinants, axis=0, out=out)
-    np.minimum(out, HUGE, out=out)
-    out /= largest
-    overflow(out)
-    out[~(largest > TOLERANCE)] = -inf
-
-
 def scaled_jacobian(block: HexahedronBlock, out: Floats) -> None:
     """Smallest of u.(v x w) / (|u| |v| |w|) over corners and of the same for X, Y, Z.
 
     -inf where an edge or axis, squared, is below 2.2e-15 of the squared box diagonal (a repeated vertex: always).
     """
-    np.copyto(out, _scaled_jacobian(block))
+    x, y, z = block.axis_squares
+    np.multiply(x, y, out=out)
+    out *= z
+    np.sqrt(out, out=out)
+    np.divide(block.centre_determinant, out, out=out)
+    np.minimum(out, _corner_minimum(block), out=out)
     short = short_edges(block, with_axes=True)
     if short is not None:
         out[short] = -inf
 
 
 def shear(block: HexahedronBlock, out: Floats) -> None:
-    """Scaled Jacobian, and 0 where that is not positive or has the sentinel."""
-    np.maximum(_scaled_jacobian(block), 0, out=out)
-    short = short_edges(block, with_axes=True)
+    """Smallest of u.(v x w) / (|u| |v| |w|) over corners.
+
+    0 where an edge, squared, is below 2.2e-15 of the squared box diagonal, or a corner's determinant is not above
+    2.2e-15 of the cubed one.
+    """
+    np.maximum(_corner_minimum(block), 0, out=out)
+    out[~(block.determinants.min(axis=0) > TOLERANCE * block.size**3)] = 0
+    short = short_edges(block, with_axes=False)
     if short is not None:
         out[short] = 0
 
 
-def _scaled_jacobian(block: HexahedronBlock) -> Floats:
-    if "scaled" in block.known:
-        known: Floats = block.known["scaled"]
+def _corner_minimum(block: HexahedronBlock) -> Floats:
+    """(n,) smallest determinant of unit edges over the corners."""
+    known: Floats | None = block.known.get("corner_minimum")
+    if known is not None:
         return known
     scaled, n = block.array("own_8", 8), block.count
     for odd, half in enumerate((scaled[:4].reshape(2, 2, n), scaled[4:].reshape(2, 2, n))):
@@ -178,13 +176,6 @@ def _scaled_jacobian(block: HexahedronBlock) -> Floats:
         half *= w
     np.sqrt(scaled, out=scaled)
     np.divide(block.determinants, scaled, out=scaled)
-    out = np.min(scaled, axis=0, out=block.array("scaled"))
-    x, y, z = block.axis_squares
-    centre = block.array("own_1")
-    np.multiply(x, y, out=centre)
-    centre *= z
-    np.sqrt(centre, out=centre)
-    np.divide(block.centre_determinant, centre, out=centre)
-    np.minimum(out, centre, out=out)
-    block.known["scaled"] = out
+    out: Floats = np.min(scaled, axis=0, out=block.array("corner_minimum"))
+    block.known["corner_minimum"] = out
     return out
