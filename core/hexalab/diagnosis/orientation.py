@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..mesh import COLLAPSE, CORNERS_OF_KIND, FACES, HEXAHEDRON, KINDS, Array, Floats, Mesh
 
-CHUNK = 16384
+CHUNK = 8192
 """Cells in a chunk: some seventy temporaries of it stay in the cache."""
 
 ROUNDING = 1e-12
@@ -57,29 +57,51 @@ def signs(mesh: Mesh) -> Signs:
     """
     volume = np.empty(mesh.cell_count, np.int8)
     invalid = np.zeros(mesh.cell_count, dtype=bool)
-    reach = float(np.abs(mesh.extent).max())
     mixed = bool(mesh.kinds.any())
-    with np.errstate(all="ignore"):
-        for start in range(0, mesh.cell_count, CHUNK):
-            part = slice(start, start + CHUNK)
-            corners = mesh.corners[:, part]
-            points = mesh.coordinates[:, corners]
-            volume[part] = _volume_signs(points, reach)
-            for kind in np.unique(mesh.kinds[part]) if mixed else (HEXAHEDRON,):
-                of_kind: Any = np.flatnonzero(mesh.kinds[part] == kind) if mixed else slice(None)
-                own = np.array(CORNERS_OF_KIND[kind])
-                invalid[part][of_kind] = _invalid(
-                    points[:, own][:, :, of_kind], corners[own][:, of_kind], NODES[kind]
-                )
+    for start in range(0, mesh.cell_count, CHUNK):
+        part = slice(start, start + CHUNK)
+        corners, kinds = mesh.corners[:, part], mesh.kinds[part]
+        points = _points(mesh, corners)
+        size = _size(points)
+        volume[part] = _volume_signs(mesh, points, size)
+        for kind in np.unique(kinds).tolist() if mixed else (HEXAHEDRON,):
+            own = CORNERS_OF_KIND[kind]
+            if not mixed:
+                invalid[part] = _invalid(points, size, corners, own, NODES[kind])
+                continue
+            which = np.flatnonzero(kinds == kind)
+            of_kind = [points[:, place, which] for place in range(8)]
+            invalid[part][which] = _invalid(
+                np.stack(of_kind, axis=1), size[which], corners[:, which], own, NODES[kind]
+            )
     return Signs(volume, invalid)
 
 
-def _volume_signs(points: Floats, reach: float) -> NDArray[np.int8]:
-    """Sign of the volume of cells, (3, 8, N) corners; `reach` bounds the coordinates, and so their rounding.
+def _points(mesh: Mesh, corners: Array) -> Floats:
+    """(3, 8, N) corners of cells, seen from the first."""
+    points = np.empty((3, *corners.shape))
+    for axis, coordinate in enumerate(mesh.coordinates):
+        first = coordinate[corners[0]]
+        points[axis, 0] = 0
+        for place in range(1, 8):
+            np.subtract(coordinate[corners[place]], first, out=points[axis, place])
+    return points
+
+
+def _size(points: Floats) -> Floats:
+    """A length that no edge of the cell exceeds, quick to have: most determinants are far from zero by it."""
+    size = np.zeros(points.shape[2])
+    for axis in points:
+        for place in axis[1:]:
+            size += np.abs(place)
+    return size
+
+
+def _volume_signs(mesh: Mesh, points: Floats, size: Floats) -> NDArray[np.int8]:
+    """Sign of the volume of cells.
 
     A bilinear face a b c d and the origin enclose (a + b + c + d) . ((c - a) x (d - b)) / 24.
     """
-    points = points - points[:, :1]
     total = np.zeros(points.shape[2])
     for a, b, c, d in FACES:
         middle = points[:, a] + points[:, b]
@@ -87,10 +109,13 @@ def _volume_signs(points: Floats, reach: float) -> NDArray[np.int8]:
         middle += points[:, d]
         total += _det(middle, points[:, c] - points[:, a], points[:, d] - points[:, b])
     total /= 24
-    x, y, z = (_principal(points, axis) for axis in range(3))
-    least = ROUNDING * (x * y * z) + 4 * np.finfo(np.float64).eps * reach * (x * y + y * z + z * x)
     found: NDArray[np.int8] = np.sign(total).astype(np.int8)
-    found[~(np.abs(total) > least)] = 0
+    rounding = 4 * np.finfo(np.float64).eps * float(np.abs(mesh.extent).max())
+    small = np.flatnonzero(~(np.abs(total) > ROUNDING * size**3 + rounding * size**2))
+    if len(small):
+        x, y, z = (_principal(points[:, :, small], axis) for axis in range(3))
+        least = ROUNDING * (x * y * z) + rounding * (x * y + y * z + z * x)
+        found[small[~(np.abs(total[small]) > least)]] = 0
     return found
 
 
@@ -106,25 +131,37 @@ def _principal(points: Floats, axis: int) -> Floats:
 
 
 def _invalid(
-    points: Floats, corners: Array, nodes: tuple[tuple[int, int, int, int], ...]
+    points: Floats, size: Floats, corners: Array, own: tuple[int, ...], nodes: tuple[tuple[int, ...], ...]
 ) -> NDArray[np.bool_]:
-    """Whether a Jacobian is zero or negative at one of the nodes of cells, (3, k, N) own corners."""
+    """Whether a Jacobian is not positive at one of the nodes; `own` are the places of the corners."""
     out = np.zeros(points.shape[2], dtype=bool)
-    for node, *others in nodes:
+    most = ROUNDING * size**3
+    for row in nodes:
+        node, *others = (own[place] for place in row)
         u, v, w = (points[:, other] - points[:, node] for other in others)
-        bad = ~(_det(u, v, w) > ROUNDING * (_length(u) * _length(v) * _length(w)))
-        if bad.any():
-            where = np.flatnonzero(bad)
-            four = np.sort(corners[[node, *others]][:, where], axis=0)
-            bad[where[(four[1:] == four[:-1]).any(axis=0)]] = False
-        out |= bad
+        det = _det(u, v, w)
+        small = np.flatnonzero(~(det > most))
+        if not len(small):
+            continue
+        least = ROUNDING * (_length(u[:, small]) * _length(v[:, small]) * _length(w[:, small]))
+        four = np.sort(corners[[node, *others]][:, small], axis=0)
+        apart = (four[1:] != four[:-1]).all(axis=0)
+        out[small[apart & ~(det[small] > least)]] = True
     return out
 
 
 def _det(u: Floats, v: Floats, w: Floats) -> Floats:
-    total = u[0] * (v[1] * w[2] - v[2] * w[1])
-    total += u[1] * (v[2] * w[0] - v[0] * w[2])
-    total += u[2] * (v[0] * w[1] - v[1] * w[0])
+    total = v[1] * w[2]
+    total -= v[2] * w[1]
+    total *= u[0]
+    term = v[2] * w[0]
+    term -= v[0] * w[2]
+    term *= u[1]
+    total += term
+    term = v[0] * w[1]
+    term -= v[1] * w[0]
+    term *= u[2]
+    total += term
     return np.asarray(total)
 
 
@@ -134,14 +171,13 @@ def _length(u: Floats) -> Floats:
 
 def all_inverted(mesh: Mesh) -> bool:
     """Whether cells have negative volumes only, or none; the first positive one ends the search."""
-    reach = float(np.abs(mesh.extent).max())
     negative = False
-    with np.errstate(all="ignore"):
-        for start in range(0, mesh.cell_count, CHUNK):
-            found = _volume_signs(mesh.coordinates[:, mesh.corners[:, start : start + CHUNK]], reach)
-            if (found > 0).any():
-                return False
-            negative = negative or bool((found < 0).any())
+    for start in range(0, mesh.cell_count, CHUNK):
+        points = _points(mesh, mesh.corners[:, start : start + CHUNK])
+        found = _volume_signs(mesh, points, _size(points))
+        if (found > 0).any():
+            return False
+        negative = negative or bool((found < 0).any())
     return negative
 
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import CHUNK
+from ..mesh import Ids
 from ..topology import Topology
 from ..topology.interface import InterfaceFinder
 
@@ -34,27 +34,15 @@ class Regulariser:
 
     def regularise(self, hidden: NDArray[np.bool_], strength: int) -> NDArray[np.bool_]:
         """Dilate a hidden set, (C,) bool, `strength` times, then erode it as often; a new array."""
-        hidden = hidden.copy()
-        for _ in range(strength):
-            touching = self._touching(hidden)
-            hidden |= touching
-        for _ in range(strength):
-            touching = self._touching(hidden)
-            hidden &= ~touching
-        return hidden
+        shown = ~hidden
+        for change in [False] * strength + [True] * strength:
+            shown[self._touching(shown)] = change
+        return ~shown
 
-    def _touching(self, hidden: NDArray[np.bool_]) -> NDArray[np.bool_]:
-        """Cells, hidden or not, with a vertex on the interface."""
+    def _touching(self, shown: NDArray[np.bool_]) -> Ids:
+        """Cells, shown or not, with a vertex on the interface."""
         topology = self._topology
-        rows = self._finder.inside(~hidden)
-        touching = np.zeros(len(hidden), dtype=bool)
-        if not len(rows):
-            return touching
+        rows = self._finder.inside(shown)
         flagged = np.zeros(topology.vertex_count, dtype=bool)
-        for ids in topology.corners_of(topology.face_cells[0][rows], topology.face_locals[0][rows]):
-            flagged[ids] = True
-        for start in range(0, len(hidden), CHUNK):
-            part = slice(start, start + CHUNK)
-            for corner in topology.corners[:, part]:
-                touching[part] |= flagged[corner]
-        return touching
+        flagged[topology.corners_of(topology.face_cells[0][rows], topology.face_locals[0][rows])] = True
+        return topology.stars.cells_of(np.flatnonzero(flagged))

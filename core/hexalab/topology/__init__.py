@@ -16,6 +16,7 @@ from .edges import FACE_EDGES, Edges, cells_around, find_edges, repeating_cells
 from .faces import Faces, find_faces
 from .hops import components, depth
 from .interface import Interface, InterfaceFinder
+from .stars import Stars
 
 __all__ = ["FACE_EDGES", "Edges", "Faces", "Interface", "Topology"]
 
@@ -151,6 +152,11 @@ class Topology:
         across = np.where(left == cells, right, left)
         across[rows < 0] = -1
         return across
+
+    @cached_property
+    def stars(self) -> Stars:
+        """The cells around each vertex."""
+        return Stars(self.corners, self.vertex_count)
 
     @cached_property
     def _interface_finder(self) -> InterfaceFinder:
