@@ -24,6 +24,8 @@ VERBS = {
     "info": "say what is in mesh files",
     "quality": "measure the quality of a mesh's cells",
     "convert": "write a mesh in another format",
+    "build": "build the site out of the repository",
+    "serve": "serve a built site on this machine",
 }
 """Verbs and what they do; each is the module of its name (a hyphen read as an underscore)."""
 

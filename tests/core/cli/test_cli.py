@@ -17,6 +17,7 @@ from typing import Any
 import pytest
 
 from hexalab import cli, read
+from hexalab.cli.tables import number
 from hexalab.quality import METRICS
 
 ROOT = Path(__file__).parents[3]
@@ -166,6 +167,48 @@ def test_A2_convert(run: Run, mesh_file: Path, tmp_path: Path, ending: str) -> N
     assert (mesh.cells == old.cells).all()
 
 
+def test_R9_what_reading_assumed_is_told_when_converting(
+    run: Run, grid: Callable[..., bytes], tmp_path: Path
+) -> None:
+    path = tmp_path / "inverted.mesh"
+    path.write_bytes(grid(1, 1, 1, inverted=True))
+    code, _, err = run("convert", path, tmp_path / "out.vtk")
+    assert code == 0
+    assert "turned round" in err
+    assert read(tmp_path / "out.vtk").notes == []
+
+
+def test_A2_many_layers_are_cut_short(run: Run, grid: Callable[..., bytes], tmp_path: Path) -> None:
+    path = tmp_path / "thick.mesh"
+    path.write_bytes(grid(27, 27, 27))
+    layers = re.search(r"cells by depth +(.*)", run("info", path)[1])
+    assert layers and layers[1].startswith(f"{27**3 - 25**3:,} {25**3 - 23**3:,} ")
+    assert layers[1].endswith("and 2 layers more")
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (None, "-"),
+        (0.0, "0.000"),
+        (0.12345, "0.123"),
+        (0.0004, "4.00e-04"),
+        (-1234.5, "-1,234.500"),
+        (1e6, "1.00e+06"),
+    ],
+)
+def test_A2_numbers_never_read_zero_unless_they_are(value: float | None, text: str) -> None:
+    assert number(value) == text
+
+
+def test_A2_too_little_memory_is_told(run: Run, mesh_file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def exhaust(argv: list[str]) -> int:
+        raise MemoryError
+
+    monkeypatch.setattr(cli, "run", exhaust)
+    assert run("info", mesh_file) == (2, "", "hexalab: not enough memory for this mesh\n")
+
+
 MISTAKES = [
     ([], "which verb? One of info"),
     (["inform"], "inform"),
@@ -180,6 +223,9 @@ MISTAKES = [
     (["quality", "EMPTY"], "empty"),
     (["quality", "PNG"], "PNG"),
     (["convert", "GRID", "out.xyz"], "out.xyz"),
+    (["build", "--repository", "none"], "none"),
+    (["serve", "--out", "none"], "none"),
+    (["serve", "--port", "70000"], "from 0 to 65535"),
     (["convert", "GRID", "no/such/folder/out.vtk"], "out.vtk"),
 ]
 

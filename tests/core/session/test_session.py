@@ -344,6 +344,27 @@ def test_Q4_the_histograms_axis_holds_negative_scaled_jacobians(twisted: bytes) 
     assert told["map_position"][0] == 1
 
 
+def test_R8_an_attribute_without_a_finite_value_is_borne(attributed: bytes) -> None:
+    session = Session()
+    text = attributed.decode()
+    head, tail = text.split("LOOKUP_TABLE default\n", 1)
+    session.open("nan.vtk", (head + "LOOKUP_TABLE default\n" + "nan\n" * 6 + tail.split("\n", 6)[6]).encode())
+    update = session.update({"colour": {"by": "attribute", "attribute": "cell:load"}})
+    assert np.isnan(update["colour"]["map_position"]).all()
+    assert (update["colour"]["low"], session.quality("cell:load")["min"]) == (None, None)
+    told = session.histogram("cell:load", 4)
+    assert (told["low"], told["high"], told["not_finite"]) == (0, 1, 6)
+    assert told["counts"].sum() == 0
+
+
+def test_R8_a_constant_attribute_has_the_first_colour(attributed: bytes) -> None:
+    session = Session()
+    session.open("grid.vtk", attributed)
+    session.update({"filters": {"planes": {"items": []}}})
+    update = session.update({"colour": {"by": "attribute", "attribute": "cell:load", "range": [9, 9]}})
+    assert (update["colour"]["map_position"] == 0).all()
+
+
 def test_V7_inspector_agrees_with_the_whole_mesh(meshes: Path) -> None:
     session = Session()
     name = "2021-at-most-hexa--cylinder-n-slivers.mesh"

@@ -1,0 +1,53 @@
+"""The verbs that hand over to the site builder: what they pass on and how they answer."""
+
+from __future__ import annotations
+
+import io
+import socket
+import sys
+from pathlib import Path
+
+import pytest
+
+from hexalab import cli
+from hexalab.cli.progress import Progress
+
+pytestmark = pytest.mark.skipif(sys.platform == "emscripten", reason="the site builder runs natively")
+
+
+def test_A2_build_names_what_is_wrong_in_the_repository(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "repository" / "Bad Name").mkdir(parents=True)
+    words = ["build", "--repository", str(tmp_path / "repository"), "--out", str(tmp_path / "site")]
+    assert cli.main(words) == cli.FINDING
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert "no source.yaml" in err
+    assert "Traceback" not in err
+
+
+def test_A2_a_taken_port_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "index.html").write_text("<!doctype html>")
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = taken.getsockname()[1]
+        assert cli.main(["serve", "--out", str(tmp_path), "--port", str(port)]) == cli.MISUSE
+    assert capsys.readouterr().err.startswith(f"hexalab: port {port} can't be used: ")
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+def test_A2_progress_shows_on_a_terminal_only() -> None:
+    terminal, pipe = Terminal(), io.StringIO()
+    for stream in (terminal, pipe):
+        with Progress(stream) as tell:
+            tell("reading", 0.5)
+            tell("done", 2)
+    assert pipe.getvalue() == ""
+    assert "█" * 12 + "░" * 12 + " reading" in terminal.getvalue()
+    assert terminal.getvalue().endswith("\r\x1b[K")
