@@ -6,11 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..mesh import Ids
-from ..topology import Interface
 from .buffers import Bytes, Surface
 from .drawing import Drawing
 from .edges import Indices, one_of_each, quad_sides
-from .fan import fan_sizes
+from .fan import Walks, fan_sizes
 from .lines import edge_lines, interface_surface
 
 
@@ -28,48 +27,34 @@ def darkness_coded_edges(drawing: Drawing, shown: NDArray[np.bool_]) -> Surface:
     winner = one_of_each(start, end)
     drawn = np.flatnonzero(winner == np.arange(len(winner)))
 
-    quads = corners.shape[1]
-    place, quad = np.divmod(side, max(quads, 1))
+    place, quad = np.divmod(side, max(corners.shape[1], 1))
     place[(corners[2] == corners[3])[quad]] = -1
-    around = _cells_around(drawing, shown, interface, winner, start, end, place, quad)
+    local = interface.locals[quad].astype(np.intp)
+    walks = Walks(interface.cells[quad], local, place, start, end)
+    around = _cells_around(drawing, shown, walks, winner)
     edges = edge_lines(drawing, start[drawn], end[drawn])
     counts: Bytes = np.minimum(around[drawn], 255).astype(np.uint8)
     return interface_surface(drawing, "darkness_coded_edges", interface, corners, edges, counts)
 
 
-def _cells_around(
-    drawing: Drawing,
-    shown: NDArray[np.bool_],
-    interface: Interface,
-    winner: Indices,
-    start: Ids,
-    end: Ids,
-    place: Indices,
-    quad: Indices,
-) -> Ids:
+def _cells_around(drawing: Drawing, shown: NDArray[np.bool_], sides: Walks, winner: Indices) -> Ids:
     """Number of shown cells around the edge of each side that stands for its edge.
 
     An edge that two quads share has one fan, from one quad's cell to the other's. Where more meet, each fan
-    is walked from both its ends and counts by halves.
+    is walked from both its ends and counts by halves. Cells that close a ring of their own around the same
+    edge, apart from the surface, do not count: only in a mesh that does not meet face to face are there such.
     """
-    cells = interface.cells[quad]
-    sides = np.bincount(winner, minlength=len(winner))[winner]
-    simple = np.flatnonzero((sides == 2) & (winner != np.arange(len(winner))))
-    first = winner[simple]
+    quads = np.bincount(winner, minlength=len(winner))[winner]
     around = np.ones(len(winner), np.int32)
-
-    def walk(which: Indices, last: Ids) -> Ids:
-        local = interface.locals[quad[which]].astype(np.intp)
-        which_cells = cells[which]
-        return fan_sizes(
-            drawing.topology, shown, which_cells, local, place[which], start[which], end[which], last
-        )
-
-    two_cells = np.flatnonzero(cells[simple] != cells[first])
-    around[first[two_cells]] = walk(simple[two_cells], cells[first[two_cells]])
-    crowded = np.flatnonzero(sides != 2)
+    simple = np.flatnonzero((quads == 2) & (winner != np.arange(len(winner))))
+    from_cell, to_cell = sides.cells[simple], sides.cells[winner[simple]]
+    apart = np.flatnonzero(from_cell != to_cell)
+    simple = simple[apart]
+    around[winner[simple]] = fan_sizes(drawing.topology, shown, sides.part(simple), to_cell[apart])
+    crowded = np.flatnonzero(quads != 2)
     if len(crowded):
-        fans = walk(crowded, np.full(len(crowded), -1, np.int32))
+        nowhere = np.full(len(crowded), -1, np.int32)
+        fans = fan_sizes(drawing.topology, shown, sides.part(crowded), nowhere)
         total = np.bincount(winner[crowded], weights=fans, minlength=len(winner))
         around[winner[crowded]] = (total[winner[crowded]] / 2).astype(np.int32)
     return around

@@ -1,12 +1,13 @@
 """Walks round an edge, from cell to cell, through what is shown.
 
 The shown cells around an edge of the surface form fans: from one quad of the surface through cells and the
-faces between them to another. A walk begins at a quad's side, crosses its cell to the cell's other face
-there, and steps through that face until it comes out. All walks take a step together, and most come out
-after one or two.
+faces between them to another. A walk begins at a quad's side, crosses its cell to the other face there, and
+steps through that face until it comes out. All walks take a step together; most come out after one or two.
 """
 
 from __future__ import annotations
+
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,86 +34,98 @@ _OTHER_FACE, _OTHER_PLACE = _across()
 _PLACES = np.array(FACES, np.intp)
 
 
-def fan_sizes(
-    topology: Topology,
-    shown: NDArray[np.bool_],
-    cells: Ids,
-    local: Indices,
-    place: Indices,
-    start: Ids,
-    end: Ids,
-    last: Ids,
-) -> Ids:
+class Walks(NamedTuple):
+    """Where walks stand: at a side of a face, within the cell.
+
+    Attributes
+    ----------
+    cells : (N,) int32
+    local : (N,) intp
+        Which of the cell's faces.
+    place : (N,) intp
+        Which side of the face, the one from its corner `place` to the next; -1 where it must be looked up.
+    start, end : (N,) int32
+        Vertices of the edge that is walked around.
+    """
+
+    cells: Ids
+    local: Indices
+    place: Indices
+    start: Ids
+    end: Ids
+
+    def part(self, which: Indices) -> Walks:
+        """Some of the walks."""
+        return Walks(
+            self.cells[which], self.local[which], self.place[which], self.start[which], self.end[which]
+        )
+
+
+def fan_sizes(topology: Topology, shown: NDArray[np.bool_], walks: Walks, last: Ids) -> Ids:
     """Number of cells in each fan.
 
     Parameters
     ----------
     topology : Topology
     shown : (C,) bool
-    cells, local : (N,) int
-        The quad where each walk begins: a shown cell and which of its faces.
-    place : (N,) int
-        Which side of that face, the one from its corner `place` to the next; -1 where it must be looked up.
-    start, end : (N,) int32
-        The edge's vertices.
+    walks : Walks
+        They begin at quads of the surface, in shown cells.
     last : (N,) int32
-        The cell where the walk is known to end, or -1.
+        The cell where each is known to end, or -1.
     """
-    sizes = np.ones(len(cells), np.int32)
-    walks: Indices = np.arange(len(cells))
-    unknown = np.flatnonzero(place < 0)
+    sizes = np.ones(len(walks.cells), np.int32)
+    number: Indices = np.arange(len(sizes))
+    unknown = np.flatnonzero(walks.place < 0)
     if len(unknown):
-        place = place.copy()
-        place[unknown] = _find_side(topology, cells[unknown], local[unknown], start[unknown], end[unknown])
+        walks = walks._replace(place=walks.place.copy())
+        walks.place[unknown] = _find_side(topology, walks.part(unknown))
     for _ in range(MOST_STEPS):
-        local, place, rows = _cross_cell(topology, cells, local, place, start, end)
+        local, rows = _cross_cell(topology, walks)
         left, right = topology.face_cells[0][rows], topology.face_cells[1][rows]
-        after = left + right - cells
+        after = left + right - walks.cells
         going = (right >= 0) & shown[after]
-        sizes[walks[np.flatnonzero(going)]] += 1
-        going &= after != last
-        on = np.flatnonzero(going)
+        sizes[number[np.flatnonzero(going)]] += 1
+        on = np.flatnonzero(going & (after != last))
         if not len(on):
             break
         side = np.where(left[on] == after[on], 0, 1)
         local = topology.face_locals.reshape(-1)[rows[on] + side * topology.face_locals.shape[1]].astype(
             np.intp
         )
-        walks, cells, start, end, last = walks[on], after[on], start[on], end[on], last[on]
-        place = _find_side(topology, cells, local, start, end)
+        number, last = number[on], last[on]
+        walks = walks.part(on)._replace(cells=after[on], local=local)
+        walks = walks._replace(place=_find_side(topology, walks))
     return sizes
 
 
-def _cross_cell(
-    topology: Topology, cells: Ids, local: Indices, place: Indices, start: Ids, end: Ids
-) -> tuple[Indices, Indices, Ids]:
-    """From a side of a face to the cell's other face there, over vanished faces; with that face's row."""
+def _cross_cell(topology: Topology, walks: Walks) -> tuple[Indices, Ids]:
+    """The cell's other face at each side, and its row; over faces that have vanished."""
     flat = topology.cell_faces.reshape(-1)
-    side = local * 4 + place
-    local, place = _OTHER_FACE[side], _OTHER_PLACE[side]
-    rows = flat[local * topology.cell_count + cells]
+    side = walks.local * 4 + walks.place
+    local = _OTHER_FACE[side]
+    rows = flat[local * topology.cell_count + walks.cells]
     gone = np.flatnonzero(rows < 0)
-    for _ in range(6):
+    here = walks.part(gone)._replace(local=local[gone], place=_OTHER_PLACE[side[gone]])
+    for _ in FACES:
         if not len(gone):
             break
-        place[gone] = _find_side(topology, cells[gone], local[gone], start[gone], end[gone], place[gone])
-        side = local[gone] * 4 + place[gone]
-        local[gone], place[gone] = _OTHER_FACE[side], _OTHER_PLACE[side]
-        rows[gone] = flat[local[gone] * topology.cell_count + cells[gone]]
-        gone = gone[rows[gone] < 0]
-    return local, place, rows
+        side = here.local * 4 + _find_side(topology, here, but=here.place)
+        here = here._replace(local=_OTHER_FACE[side], place=_OTHER_PLACE[side])
+        local[gone] = here.local
+        rows[gone] = flat[here.local * topology.cell_count + here.cells]
+        still = np.flatnonzero(rows[gone] < 0)
+        gone, here = gone[still], here.part(still)
+    return local, rows
 
 
-def _find_side(
-    topology: Topology, cells: Ids, local: Indices, start: Ids, end: Ids, but: Indices | None = None
-) -> Indices:
-    """Which side of each face lies between two vertices, in either direction, and is not the one excepted."""
+def _find_side(topology: Topology, walks: Walks, but: Indices | None = None) -> Indices:
+    """Which side of each face lies between the edge's vertices, and is not the one excepted."""
     flat = topology.corners.reshape(-1)
-    ring = [flat[_PLACES[local, i] * topology.cell_count + cells] for i in range(4)]
-    found = np.zeros(len(cells), np.intp)
+    ring = [flat[_PLACES[walks.local, i] * topology.cell_count + walks.cells] for i in range(4)]
+    found = np.zeros(len(walks.cells), np.intp)
     for i in range(4):
         a, b = ring[i], ring[(i + 1) % 4]
-        here = ((a == start) & (b == end)) | ((a == end) & (b == start))
+        here = ((a == walks.start) & (b == walks.end)) | ((a == walks.end) & (b == walks.start))
         if but is not None:
             here &= but != i
         found[here] = i

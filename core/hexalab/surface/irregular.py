@@ -102,13 +102,16 @@ def _faces_around(drawing: Drawing, edges: Array) -> _FacesAround:
             if not set(ends) <= set(ring):
                 continue
             rows = topology.cell_faces[face, cells]
-            own = (topology.face_cells[0][rows] == cells) & (topology.face_locals[0][rows] == face)
-            mine = np.flatnonzero((rows >= 0) & own)
+            there = np.flatnonzero(rows >= 0)
+            rows = rows[there]
+            first = topology.face_cells[0][rows] == cells[there]
+            first &= topology.face_locals[0][rows] == face
+            mine, rows = cells[there[first]], rows[first]
             start = next(i for i in range(4) if {ring[i], ring[(i + 1) % 4]} == set(ends))
-            a, b, c, d = (topology.corners[ring[(start + i) % 4]][cells[mine]] for i in range(4))
+            a, b, c, d = (topology.corners[ring[(start + i) % 4]][mine] for i in range(4))
             corners.append(np.stack([a, b, np.where(c == b, d, c), np.where(d == a, c, d)]))
-            found.append(edge[cells[mine]])
-            crowded.append(shared[rows[mine]])
+            found.append(edge[mine])
+            crowded.append(shared[rows])
     number_of, quads = np.concatenate(found), np.concatenate(corners, axis=1)
     order = _once(number_of, quads, np.concatenate(crowded))
     return _FacesAround(number_of[order].astype(np.intp), quads[:, order])

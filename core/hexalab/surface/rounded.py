@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from ..mesh import FACES
 from .buffers import Bytes, Floats32, Int16s, Surface, UInt32s
-from .collapse import by_pattern
+from .collapse import by_pattern, polygons
 from .drawing import Drawing
 from .exposure import ExposedCells, exposed_cells
 from .flat import NO_COUNTS, NO_LINES
@@ -47,7 +47,11 @@ def rounded(drawing: Drawing, shown: NDArray[np.bool_], radius: float = 0.075) -
         original's slider gives 0.04 to 0.2.
     """
     found = exposed_cells(drawing, shown)
-    groups = [(lattice(pattern), found.part(which)) for pattern, which in by_pattern(found.corners)]
+    groups = [
+        (lattice(pattern), found.part(which))
+        for pattern, which in by_pattern(found.corners)
+        if polygons(pattern)
+    ]
     vertex_count = sum(int(np.diff(shape.node_start)[part.codes].sum()) for shape, part in groups)
     quad_count = sum(int(np.diff(shape.face_start)[part.codes].sum()) for shape, part in groups)
     sheet = _Sheet(

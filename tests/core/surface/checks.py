@@ -35,7 +35,7 @@ def sides(rings: NDArray[np.int64]) -> Counter[tuple[int, int]]:
 
 
 def check_form(surface: Surface) -> None:
-    """Lengths, number types, ranges, unit normals; triangles repeat their last vertex, nothing else repeats."""
+    """Lengths, number types, ranges, unit normals; triangles repeat their last vertex, quads none."""
     rings = rings_of(surface)
     count = len(surface.cells)
     assert surface.positions.dtype == np.float32 and surface.positions.shape == (3 * count,)

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from hexalab.mesh import Mesh
-from hexalab.surface import MODES, Drawing, extract_surface
+from hexalab.surface import MODES, Drawing, extract_irregular, extract_silhouette, extract_surface
 from tests.core.surface.checks import (
     cell_volumes,
     check_closed,
@@ -19,6 +19,7 @@ from tests.core.surface.checks import (
     volume,
 )
 from tests.core.surface.shapes import KINDS, grid, mesh_of, random_mask, split_grid, unit_cube
+from tests.core.topology.strategies import meshes
 
 SHARES = (0.1, 0.5, 0.9, 0.97)
 
@@ -157,3 +158,19 @@ def test_V1_inside_tells_what_filters_expose(mode: str) -> None:
     assert bottom.any() and (ring_inside[bottom] == 0).all()
     if mode != "rounded":
         assert set(surface.inside.tolist()) == {0, 255}
+
+
+@given(meshes, st.integers(0, 2**31), st.sampled_from(MODES))
+@settings(max_examples=300, deadline=None)
+def test_V1_any_cells_are_drawn(cells: np.ndarray, seed: int, mode: str) -> None:
+    """Cells that share faces by three, repeat corners across, or are a single point: no error, a sound form."""
+    random = np.random.default_rng(seed)
+    mesh = mesh_of(random.random((int(cells.max(initial=0)) + 2, 3)), cells)
+    drawing = Drawing(mesh)
+    shown = random_mask(mesh.cell_count, seed, 0.7)
+    surface = extract_surface(drawing, shown, mode)
+    check_form(surface)
+    assert shown[np.unique(surface.cells)].all()
+    extract_silhouette(drawing, shown)
+    irregular = extract_irregular(drawing)
+    assert len(irregular.barb_valence) == 2 * len(irregular.paper_valence)
