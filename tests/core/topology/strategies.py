@@ -6,23 +6,14 @@ import numpy as np
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
+from tests.core.topology.grids import grid_cells
+
 COLLAPSE = (
     (0, 1, 2, 3, 4, 5, 6, 7),
     (0, 1, 2, 2, 3, 4, 5, 5),
     (0, 1, 2, 3, 4, 4, 4, 4),
     (0, 1, 2, 2, 3, 3, 3, 3),
 )
-
-
-def grid_cells(nx: int, ny: int, nz: int) -> NDArray[np.int32]:
-    """Cells (C, 8) of a regular grid, x fastest."""
-    k, j, i = (axis.ravel() for axis in np.meshgrid(range(nz), range(ny), range(nx), indexing="ij"))
-
-    def vertex(a: int, b: int, c: int) -> NDArray[np.int64]:
-        return ((k + c) * (ny + 1) + j + b) * (nx + 1) + i + a
-
-    places = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))
-    return np.stack([vertex(*place) for place in places], axis=1).astype(np.int32)
 
 
 @st.composite

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from hexalab.mesh import EDGES, FACES
 from hexalab.topology import Topology
 from tests.core.topology.brute_force import BruteForce
-from tests.core.topology.strategies import grid_cells, meshes
+from tests.core.topology.grids import grid_cells
+from tests.core.topology.strategies import meshes
 from tests.core.topology.test_faces import topology
 
 

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from hexalab.mesh import FACES
 from hexalab.topology import Topology
 from tests.core.topology.brute_force import BruteForce
-from tests.core.topology.strategies import grid_cells, meshes
+from tests.core.topology.grids import grid_cells
+from tests.core.topology.strategies import meshes
 
 
 def topology(cells: NDArray[np.int32], vertex_count: int | None = None) -> Topology:

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from hexalab.topology import Topology
 from hexalab.topology.stars import Stars
-from tests.core.topology.strategies import grid_cells, meshes
+from tests.core.topology.grids import grid_cells
+from tests.core.topology.strategies import meshes
 from tests.core.topology.test_faces import topology
 
 

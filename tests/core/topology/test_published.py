@@ -33,7 +33,7 @@ def test_R7_topology_of_published_meshes(meshes: Path, expected: dict[str, Any])
 
 
 def test_R9_findings_in_published_meshes(meshes: Path, expected: dict[str, Any]) -> None:
-    """What Verdict's smallest volume and Scaled Jacobian tell must be among the findings, and nothing against it."""
+    """What Verdict's smallest volume and Jacobian tell is among the findings, and nothing against it."""
     for name, facts in expected.items():
         found = {finding.id: finding for finding in diagnose(read(meshes / name))}
         verdict = facts["verdict"]
