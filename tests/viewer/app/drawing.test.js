@@ -1,0 +1,94 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { concernsCore, Drawing } from "../../../static/viewer/app/drawing.js";
+import { Messages } from "../../../static/viewer/app/messages.js";
+import { Superseded } from "../../../static/viewer/core/client.js";
+import { Facts } from "../../../static/viewer/state/facts.js";
+import { StatusStore } from "../../../static/viewer/state/store.js";
+
+const DEFAULTS = {
+  mesh: { name: "" },
+  camera: { distance: 1.5 },
+  filters: { planes: { items: [] } },
+  colour: { by: "sides", map: "parula" },
+};
+
+/** A core that answers when told, and a scene that keeps what it was given. */
+function parts() {
+  const store = new StatusStore(DEFAULTS);
+  const facts = new Facts({ timings: {} });
+  /** @type {{ status: any, answer: (value: any) => void, fail: (error: Error) => void }[]} */
+  const calls = [];
+  /** @type {any[]} */
+  const drawn = [];
+  const note = (/** @type {string} */ name) => (/** @type {any} */ value) => drawn.push([name, value]);
+  const scene = {
+    setStatus: note("status"),
+    setSurface: note("surface"),
+    setSilhouette: note("silhouette"),
+    setIrregular: note("irregular"),
+    setCellColours: note("colours"),
+    showPlane: note("plane"),
+  };
+  const client = {
+    call: (/** @type {string} */ _, /** @type {any[]} */ [status]) =>
+      new Promise((answer, fail) => calls.push({ status, answer, fail })),
+  };
+  const messages = new Messages(facts);
+  const drawing = new Drawing({ store, client, scene, facts, messages });
+  drawing.ready = true;
+  drawn.length = 0;
+  return { store, facts, calls, drawn, drawing };
+}
+
+test("P6: camera and map go to the scene alone; filters and what is coloured by go to the core too", () => {
+  assert.equal(concernsCore(["camera.distance", "colour.map", "background", "lighting.mode"]), false);
+  for (const path of [
+    "filters.planes.items",
+    "colour.by",
+    "colour.range",
+    "separation.mode",
+    "irregular.mode",
+  ]) {
+    assert.equal(concernsCore([path]), true, path);
+  }
+  const { store, calls, drawn } = parts();
+  store.set({ camera: { distance: 2 } });
+  assert.equal(calls.length, 0);
+  assert.equal(drawn[0][1].camera.distance, 2);
+  store.set({ colour: { by: "quality" } });
+  assert.equal(calls.length, 1);
+});
+
+test("only the buffers that the core sends are handed on", async () => {
+  const { store, calls, drawn, facts } = parts();
+  store.set({ colour: { by: "quality" } });
+  calls[0].answer({
+    shown_cells: 5,
+    shown_faces: 9,
+    surface: "S",
+    colour: { map_position: "M" },
+    max_depth: 3,
+  });
+  await new Promise((resolve) => setTimeout(resolve));
+  assert.deepEqual(drawn.slice(1), [["surface", "S"], ["colours", "M"]]); // prettier-ignore
+  assert.deepEqual(facts.get("shown"), { cells: 5, faces: 9 });
+  assert.equal(facts.get("layers"), 4, "the right end of the peel slider hides everything");
+});
+
+test("V9: a superseded call says nothing, a failed one is a message, and the next good one takes it back", async () => {
+  const { store, calls, facts } = parts();
+  const settle = () => new Promise((resolve) => setTimeout(resolve));
+  store.set({ filters: { planes: { items: [1] } } });
+  calls[0].fail(new Superseded());
+  await settle();
+  assert.equal(facts.get("messages").length, 0);
+  store.set({ filters: { planes: { items: [2] } } });
+  calls[1].fail(new Error("the core is out of memory"));
+  await settle();
+  assert.equal(facts.get("messages")[0].text, "the core is out of memory");
+  store.set({ filters: { planes: { items: [3] } } });
+  calls[2].answer({ shown_cells: 1, shown_faces: 6 });
+  await settle();
+  assert.equal(facts.get("messages").length, 0);
+});

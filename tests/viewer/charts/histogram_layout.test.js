@@ -1,0 +1,63 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { along, layOut, valueUnder } from "../../../static/viewer/charts/histogram_layout.js";
+import { niceTicks, tickText } from "../../../static/viewer/charts/ticks.js";
+
+const DATA = {
+  edges: [0, 0.25, 0.5, 0.75, 1],
+  counts: [0, 10, 5, 1],
+  map_position: [1, 0.7, 0.4, 0],
+  low: 0,
+  high: 1,
+};
+
+for (const orientation of /** @type {const} */ (["horizontal", "vertical"])) {
+  const frame = { width: 288, height: 132, orientation, scale: /** @type {const} */ ("linear") };
+
+  test(`Q4: every value lies under the pixel it is drawn at, ${orientation}`, () => {
+    const layout = layOut(DATA, frame);
+    for (const value of [0, 0.1, 0.5, 0.99, 1])
+      assert.ok(Math.abs(valueUnder(layout, along(layout, value)) - value) < 1e-12);
+  });
+
+  test(`Q4: bars keep inside the plot, are as long as their counts, and empty bins have none, ${orientation}`, () => {
+    const { bars, plot, upright } = layOut(DATA, frame);
+    assert.deepEqual(bars.map(({ bin }) => bin), [1, 2, 3]); // prettier-ignore
+    const length = bars.map(({ box }) => (upright ? box.height : box.width));
+    assert.ok(Math.abs(length[1] / length[0] - 0.5) < 1e-9);
+    for (const { box } of bars) {
+      assert.ok(box.x >= plot.x - 1e-9 && box.x + box.width <= plot.x + plot.width + 1e-9);
+      assert.ok(box.y >= plot.y - 1e-9 && box.y + box.height <= plot.y + plot.height + 1e-9);
+    }
+  });
+}
+
+test("Q4: with logarithmic counts a single cell among a million is still seen", () => {
+  const data = { ...DATA, counts: [0, 1e6, 0, 1] };
+  const { bars, plot } = layOut(data, { width: 288, height: 132, orientation: "horizontal", scale: "log" });
+  assert.ok(bars[1].box.height > plot.height * 0.04);
+});
+
+test("Q4: values that are all the same stand in the middle", () => {
+  const layout = layOut(
+    { edges: [2, 2], counts: [8], map_position: [0], low: 2, high: 2 },
+    { width: 288, height: 132, orientation: "horizontal", scale: "linear" },
+  );
+  assert.equal(along(layout, 2), layout.plot.x + layout.plot.width / 2);
+  assert.deepEqual(layout.ticks.map(({ value }) => value), [2]); // prettier-ignore
+});
+
+test("ticks are round, inside, and about as many as asked for", () => {
+  assert.deepEqual(niceTicks(0, 1, 5), [0, 0.2, 0.4, 0.6000000000000001, 0.8, 1]);
+  assert.deepEqual(niceTicks(0, 1, 5).map(tickText), ["0", "0.2", "0.4", "0.6", "0.8", "1"]); // prettier-ignore
+  for (const [low, high] of [
+    [-3.2e-6, 4.1e-6],
+    [12, 9000],
+    [-1, 1],
+  ]) {
+    // prettier-ignore
+    const ticks = niceTicks(low, high, 5);
+    assert.ok(ticks.length >= 2 && ticks.length <= 8, String(ticks));
+    assert.ok(ticks.every((tick) => tick >= low - 1e-12 && tick <= high + 1e-12));
+  }
+});

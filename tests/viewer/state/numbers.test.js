@@ -1,0 +1,38 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { count, counted, decimal, parsed, typed } from "../../../static/viewer/state/numbers.js";
+
+test("numbers show three decimals, and an exponent where they would read 0", () => {
+  assert.equal(decimal(0), "0.000");
+  assert.equal(decimal(0.12345), "0.123");
+  assert.equal(decimal(-1.5), "−1.500");
+  assert.equal(decimal(0.0005), "0.001");
+  assert.equal(decimal(0.0004), "4.00e−4");
+  assert.equal(decimal(1234567), "1.23e6");
+  assert.equal(decimal(NaN), "–");
+  assert.equal(decimal(null), "–");
+  assert.equal(decimal(Infinity), "∞");
+});
+
+test("what is shown in a box can be typed again and gives the same number back", () => {
+  for (const value of [0, -0.25, 3.125, -0.000123, 1.5e9, 1e-12]) {
+    const again = /** @type {number} */ (parsed(typed(value)));
+    assert.ok(
+      Math.abs(again - value) <= Math.max(5e-4, Math.abs(value) * 5e-3),
+      `${value} came back as ${again}`,
+    );
+  }
+});
+
+test("typed numbers take a comma and a minus sign, and nothing else", () => {
+  assert.equal(parsed(" 0,5 "), 0.5);
+  assert.equal(parsed("−2"), -2);
+  assert.equal(parsed("1e-3"), 0.001);
+  for (const text of ["", "abc", "1..2", "Infinity", "NaN"]) assert.equal(parsed(text), null);
+});
+
+test("counts stand in groups of three and agree with their noun", () => {
+  assert.equal(count(1234567), "1,234,567");
+  assert.equal(counted(1, "cell"), "1 cell");
+  assert.equal(counted(2000, "vertex", "vertices"), "2,000 vertices");
+});

@@ -1,0 +1,44 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { anotherPlane, fromView, inverted } from "../../../static/viewer/state/planes.js";
+
+/** @type {import("../../../static/viewer/state/planes.js").Plane} */
+const PLANE = { enabled: true, normal: [1, 0, 0], offset: 0.3 };
+
+/** @param {number} degrees */
+const at = (degrees) =>
+  /** @type {[number, number, number]} */ ([
+    Math.cos((degrees * Math.PI) / 180),
+    Math.sin((degrees * Math.PI) / 180),
+    0,
+  ]);
+
+test("F1: set plane takes the view direction as normal", () => {
+  const plane = fromView(PLANE, [0, 0, -4], false);
+  assert.deepEqual(plane.normal, [0, 0, -1]);
+  assert.equal(plane.offset, 0.3);
+});
+
+test("F1: with shift, the nearest signed axis", () => {
+  assert.deepEqual(fromView(PLANE, [0.2, -0.9, 0.3], true).normal, [0, -1, 0]);
+});
+
+test("F1: within 20 degrees of opposite the plane is exactly inverted, beyond it is not", () => {
+  assert.deepEqual(fromView(PLANE, at(180 - 19.9), false), {
+    enabled: true,
+    normal: [-1, 0, 0],
+    offset: 0.7,
+  });
+  assert.deepEqual(fromView(PLANE, at(180 - 20.1), false).normal, at(180 - 20.1));
+  assert.deepEqual(fromView(PLANE, at(180 - 20.1), true).normal, [-1, 0, 0]);
+});
+
+test("F1: inverting twice gives the plane back", () => {
+  assert.deepEqual(inverted(inverted(PLANE)), PLANE);
+  assert.ok(!inverted(PLANE).normal.some((x) => Object.is(x, -0)));
+});
+
+test("F1: a further plane takes an axis that is not used", () => {
+  assert.deepEqual(anotherPlane([PLANE]).normal, [0, 1, 0]);
+  assert.deepEqual(anotherPlane([PLANE, { ...PLANE, normal: [0, 1, 0] }]).normal, [0, 0, 1]);
+});
