@@ -223,8 +223,6 @@ MISTAKES = [
     (["quality", "EMPTY"], "empty"),
     (["quality", "PNG"], "PNG"),
     (["convert", "GRID", "out.xyz"], "out.xyz"),
-    (["build", "--repository", "none"], "none"),
-    (["serve", "--out", "none"], "none"),
     (["serve", "--port", "70000"], "from 0 to 65535"),
     (["convert", "GRID", "no/such/folder/out.vtk"], "out.vtk"),
 ]

@@ -37,6 +37,17 @@ def test_A2_a_taken_port_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[s
     assert capsys.readouterr().err.startswith(f"hexalab: port {port} can't be used: ")
 
 
+@pytest.mark.parametrize("words", [("build", "--repository"), ("serve", "--out")])
+def test_A2_a_folder_that_is_not_there_is_told(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], words: tuple[str, str]
+) -> None:
+    assert cli.main([*words, str(tmp_path / "none")]) == cli.MISUSE
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert len(err.splitlines()) == 1
+    assert "none" in err
+
+
 class Terminal(io.StringIO):
     def isatty(self) -> bool:
         return True
