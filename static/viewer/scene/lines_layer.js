@@ -22,6 +22,8 @@ export class LinesLayer {
   mesh;
   /** Ribbon width in CSS pixels. */
   width = 1;
+  /** Pixels that the lines stand nearer to the eye than they are: those on the surface, half their width and some. */
+  pull = 1.5;
   #material;
   #count = 0;
 
@@ -91,7 +93,7 @@ export class LinesLayer {
     const uniforms = this.#material.uniforms;
     uniforms.viewport.value.set(width, height);
     uniforms.width.value = Math.max(1, this.width * pixelRatio);
-    uniforms.pull.value = pixel * (0.75 + 0.75 * uniforms.width.value);
+    uniforms.pull.value = pixel * this.pull * uniforms.width.value;
   }
 
   dispose() {

@@ -36,6 +36,7 @@ export class Painter {
     this.renderer = new WebGLRenderer({ canvas, context, ...attributes });
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.renderer.autoClear = false;
+    this.renderer.sortObjects = false;
     this.renderer.info.autoReset = false;
     this.renderer.debug.checkShaderErrors = false;
     for (const layer of [this.backdrop, this.model, this.ink, this.overlay]) {
@@ -66,16 +67,27 @@ export class Painter {
     renderer.info.reset();
     renderer.setRenderTarget(target);
     renderer.setScissorTest(false);
-    renderer.setClearColor(0xffffff, 1);
     renderer.state.buffers.color.setMask(true);
     renderer.state.buffers.depth.setMask(true);
-    renderer.state.buffers.color.setClear(r, g, b, transparent ? 0 : 1, false);
+    if (transparent) renderer.state.buffers.color.setClear(0, 0, 0, 0, false);
+    else renderer.state.buffers.color.setClear(r, g, b, 1, false);
     this.gl.clear(this.gl.COLOR_BUFFER_BIT | this.gl.DEPTH_BUFFER_BIT);
     renderer.render(this.backdrop, camera);
     renderer.clearDepth();
     renderer.render(this.model, camera);
     renderer.render(this.ink, camera);
     if (overlay) renderer.render(this.overlay, camera);
+  }
+
+  /**
+   * Draws into a corner of the canvas, after the picture.
+   *
+   * @param {(renderer: WebGLRenderer) => void} draw
+   */
+  corner(draw) {
+    const viewport = this.renderer.getViewport(new Vector4());
+    draw(this.renderer);
+    this.renderer.setViewport(viewport);
   }
 
   /** @param {number} width device pixels @param {number} height */

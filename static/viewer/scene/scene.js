@@ -1,14 +1,27 @@
+import { Vector3 } from "three";
+import { Lighting } from "../lighting/lighting.js";
 import { CameraRig } from "./camera_rig.js";
 import { CellColours } from "./cell_colours.js";
 import { Emitter } from "./emitter.js";
 import { FrameLoop } from "./frame_loop.js";
+import { Gizmo } from "./gizmo.js";
+import { HighlightLayer } from "./highlight_layer.js";
+import { IrregularLayer } from "./irregular_layer.js";
 import { LinesLayer } from "./lines_layer.js";
 import { Painter } from "./painter.js";
+import { Picker } from "./picker.js";
+import { planeExtent } from "./plane_extent.js";
+import { PlaneLayer } from "./plane_layer.js";
+import { takePicture } from "./screenshot.js";
+import { SilhouetteLayer } from "./silhouette_layer.js";
 import { SurfaceLayer } from "./surface_layer.js";
 import { Trackball } from "./trackball.js";
 
 /** Ink of a surface edge by the number of shown cells around it: darkness-coded edges. Row 0: all alike. */
-const EDGE_STYLES = [1, 0.35, 0.75, 1].map((ink) => ({ colour: "#000000", ink }));
+const EDGE_STYLES = [1, 0.3, 0.65, 1].map((ink) => ({ colour: "#000000", ink }));
+
+/** Milliseconds after the last change during which the user counts as busy. */
+const BUSY = 160;
 
 /**
  * The drawing of one mesh on one canvas: takes the core's buffers and the status document, draws when something changed.
@@ -16,12 +29,12 @@ const EDGE_STYLES = [1, 0.35, 0.75, 1].map((ink) => ({ colour: "#000000", ink })
  * @example
  * const scene = new Scene(canvas);
  * scene.setMesh(summary);
- * scene.setSurface(answer.surface);
  * scene.setStatus(store.status);
+ * scene.setSurface(answer.surface);
  * scene.on("camera", (camera) => store.set({ camera }));
  */
 export class Scene {
-  /** Milliseconds of the last upload and picture (submission, not execution). @type {Record<string, number>} */
+  /** Milliseconds of the last upload, picture, first and whole lighting. @type {Record<string, number>} */
   timings = {};
   #canvas;
   #events = new Emitter();
@@ -29,30 +42,52 @@ export class Scene {
   #painter;
   #loop;
   #trackball;
+  #lighting;
+  #picker;
   #colours = new CellColours();
   #surface;
   #edges = new LinesLayer(EDGE_STYLES, { fade: true });
+  #silhouette = new SilhouetteLayer();
+  #irregular = new IrregularLayer();
+  #plane = new PlaneLayer();
+  #highlight = new HighlightLayer();
+  #gizmo = new Gizmo();
   #pixelRatio = 1;
-  #cells = 0;
+  #size = { width: 1, height: 1 };
+  #changed = 0;
+  #abort = new AbortController();
+  /** @type {import("./types.js").MeshFrame} */
+  #mesh = { cells: 0 };
+  /** @type {string[]} */
+  #status = [];
+  /** @type {(() => void)[]} */
+  #waiting = [];
 
   /** @param {HTMLCanvasElement} canvas */
   constructor(canvas) {
     this.#canvas = canvas;
     this.#painter = new Painter(canvas);
     this.#surface = new SurfaceLayer(this.#colours);
+    this.#lighting = new Lighting(this.#painter.renderer, this.#surface);
+    this.#picker = new Picker(this.#painter.renderer);
+    this.#painter.backdrop.add(this.#silhouette.group);
     this.#painter.model.add(this.#surface.mesh);
-    this.#painter.ink.add(this.#edges.mesh);
+    this.#painter.ink.add(this.#edges.mesh, this.#irregular.group);
+    this.#painter.overlay.add(this.#plane.group, this.#highlight.group);
     this.#loop = new FrameLoop(
       () => this.#draw(),
-      () => ({ again: false, draw: false }),
+      (now) => this.#lighting.step(this.#trackball.active || now - this.#changed < BUSY),
     );
     this.#trackball = new Trackball(canvas, this.#rig, {
       moved: () => this.#moved(),
-      ended: () => this.#loop.invalidate(),
+      ended: () => this.#events.emit("cameraend", this.#rig.status),
       clicked: (at) => this.#events.emit("click", at),
       hovered: (at) => this.#events.emit("hover", at),
-      centred: () => {},
+      centred: ({ x, y }) => this.#centre(x, y),
     });
+    const { signal } = this.#abort;
+    canvas.addEventListener("webglcontextlost", (event) => this.#lost(event), { signal });
+    canvas.addEventListener("webglcontextrestored", () => this.#restored(), { signal });
     this.resize(canvas.clientWidth || canvas.width, canvas.clientHeight || canvas.height, devicePixelRatio);
   }
 
@@ -61,25 +96,52 @@ export class Scene {
     return this.#loop.frames;
   }
 
+  /** The lighting, for tests and measurements. */
+  get lighting() {
+    return this.#lighting;
+  }
+
   /**
-   * @param {string} name "camera", "click", "hover", "contextlost", "contextrestored"
+   * @param {string} name "camera" (at every move), "cameraend", "click" and "hover" ({x, y, event} or null), "contextlost",
+   *   "contextrestored"
    * @param {(detail: any) => void} listener
+   * @returns {() => void} takes the listener off
    */
   on(name, listener) {
     return this.#events.on(name, listener);
   }
 
-  /** @param {import("./types.js").MeshFrame} mesh */
+  /** Begins another mesh: what was drawn of the last one goes. @param {import("./types.js").MeshFrame} mesh */
   setMesh(mesh) {
-    this.#cells = mesh.cells;
+    this.#mesh = mesh;
     this.setSurface(null);
+    this.setSilhouette(null);
+    this.setIrregular(null);
     this.setCellColours(null);
+    this.#plane.set(null, 0, 1);
   }
 
   /** @param {import("./types.js").Surface | null} surface */
   setSurface(surface) {
+    const started = performance.now();
     this.#surface.set(surface);
     this.#edges.set(surface?.edges ?? new Float32Array(0), surface?.edge_cells ?? null);
+    this.#picker.set(surface);
+    this.#highlight.set(surface, null);
+    this.#lighting.restart();
+    this.timings.upload = performance.now() - started;
+    this.#touch();
+  }
+
+  /** @param {import("./types.js").Silhouette | null} silhouette */
+  setSilhouette(silhouette) {
+    this.#silhouette.set(silhouette);
+    this.#loop.invalidate();
+  }
+
+  /** @param {import("./types.js").Irregular | null} irregular */
+  setIrregular(irregular) {
+    this.#irregular.set(irregular);
     this.#loop.invalidate();
   }
 
@@ -90,58 +152,228 @@ export class Scene {
     this.#loop.invalidate();
   }
 
-  /** @param {import("./types.js").SceneStatus} status */
+  /**
+   * Draws as the status says; parts that have not changed cost nothing, and nothing changed draws nothing.
+   *
+   * @param {import("./types.js").SceneStatus} status
+   */
   setStatus(status) {
-    if (status.background) this.#painter.background = status.background;
-    if (status.colour) {
-      this.#surface.setColour(status.colour);
-      this.#colours.setMap(status.colour.by === "kind" ? "kind" : (status.colour.map ?? "parula"));
+    const { camera, colour, separation, silhouette, irregular, lighting, background } = status;
+    const moved = camera !== undefined && this.#rig.set(camera);
+    const looks = [colour, separation, silhouette, irregular, lighting, background].map(
+      (part) => JSON.stringify(part) ?? "",
+    );
+    const same = looks.every((look, k) => look === "" || look === this.#status[k]);
+    if (moved) this.#touch();
+    if (same) return;
+    this.#status = looks.map((look, k) => look || this.#status[k]);
+    if (background) this.#painter.background = background;
+    if (colour) {
+      this.#surface.setColour(colour);
+      if (colour.by === "kind" || colour.map)
+        this.#colours.setMap(colour.by === "kind" ? "kind" : String(colour.map));
     }
-    if (status.separation) {
-      this.#edges.opacity = status.separation.line_opacity ?? 0.5;
-      this.#edges.width = status.separation.line_width ?? 1;
-    }
-    if (status.lighting) this.#surface.lighting = status.lighting.mode ?? "direct";
-    if (status.camera) this.#rig.set(status.camera);
+    if (separation?.line_opacity !== undefined) this.#edges.opacity = separation.line_opacity;
+    if (separation?.line_width !== undefined) this.#edges.width = separation.line_width;
+    if (silhouette !== undefined) this.#silhouette.strength = silhouette;
+    if (irregular) this.#irregular.setMode(irregular.mode ?? 1, irregular.boundary ?? false);
+    if (lighting?.mode) this.#lighting.mode = lighting.mode;
     this.#loop.invalidate();
   }
 
-  /** @param {number} width CSS pixels @param {number} height @param {number} pixelRatio */
-  resize(width, height, pixelRatio) {
+  /** @param {number} width CSS pixels @param {number} height @param {number} [pixelRatio] device pixels to one of them */
+  resize(width, height, pixelRatio = devicePixelRatio) {
+    this.#size = { width: Math.max(1, width), height: Math.max(1, height) };
     this.#pixelRatio = pixelRatio;
-    this.#painter.resize(
-      Math.max(1, Math.round(width * pixelRatio)),
-      Math.max(1, Math.round(height * pixelRatio)),
+    const pixels = [this.#size.width, this.#size.height].map((side) =>
+      Math.max(1, Math.round(side * pixelRatio)),
     );
-    this.#rig.aspect = width / height;
+    this.#painter.resize(pixels[0], pixels[1]);
+    this.#loop.flush(); // a canvas whose size changed is blank until drawn
     this.#loop.invalidate();
+  }
+
+  /**
+   * The face under a place of the canvas.
+   *
+   * @param {number} x CSS pixels from the canvas's left
+   * @param {number} y from its top
+   * @returns {{ face: number, cell: number, localFace: number } | null}
+   */
+  pick(x, y) {
+    const row = this.#rowAt(x, y);
+    if (row < 0 || !this.#surface.surface) return null;
+    const face = this.#surface.surface.faces[row];
+    return { face, cell: face >>> 3, localFace: face & 7 };
+  }
+
+  /** @param {number} x @param {number} y @returns {number} row of the face, -1 for none */
+  #rowAt(x, y) {
+    if (this.#painter.gl.isContextLost()) return -1;
+    this.#aim(this.#size.width / this.#size.height);
+    const { width, height } = this.#canvas;
+    const scale = width / this.#size.width;
+    return this.#picker.rowAt(this.#rig.camera, x * scale, y * scale, width, height);
+  }
+
+  /** @param {number | null} face tag of the face to highlight */
+  highlight(face) {
+    if (this.#highlight.set(this.#surface.surface, face)) this.#loop.invalidate();
+  }
+
+  /** @param {import("./types.js").Plane | null} plane */
+  showPlane(plane) {
+    if (!plane) this.#plane.set(null, 0, 1);
+    else {
+      const [low, high] = plane.extent ?? planeExtent(this.#mesh, plane.normal);
+      this.#plane.set(plane.normal, low + plane.offset * (high - low), 1);
+    }
+    this.#loop.invalidate();
+  }
+
+  /** Camera as the status document writes it. @returns {import("./types.js").CameraStatus} */
+  get camera() {
+    return this.#rig.status;
+  }
+
+  /** @returns {Promise<void>} when the picture is drawn and will not change by itself */
+  settled() {
+    this.#loop.wake();
+    return new Promise((resolve) => this.#waiting.push(resolve));
+  }
+
+  /**
+   * The drawing as a PNG of any size, lighting completed before; without gizmo, plane and highlight.
+   *
+   * @param {{ width?: number, height?: number, transparent?: boolean }} [options]
+   * @returns {Promise<Blob>}
+   */
+  async screenshot({ width = this.#canvas.width, height = this.#canvas.height, transparent = false } = {}) {
+    await this.#lighting.complete();
+    const pixelRatio = Math.max(1, height / this.#size.height);
+    return takePicture(this.#painter, {
+      width,
+      height,
+      transparent,
+      draw: (target, tile, scale) => {
+        this.#aim(width / height);
+        const { camera } = this.#rig;
+        camera.setViewOffset(width * scale, height * scale, tile.x, tile.y, tile.width, tile.height);
+        this.#prepare(tile.width, tile.height, height * scale, pixelRatio * scale);
+        this.#painter.paint(camera, target, { transparent, overlay: false });
+        camera.clearViewOffset();
+        this.#loop.invalidate();
+      },
+    });
+  }
+
+  /** What is drawn. @returns {{ faces: number, triangles: number, edges: number, cells: number }} */
+  drawn() {
+    const surface = this.#surface.surface;
+    if (!surface) return { faces: 0, triangles: 0, edges: 0, cells: 0 };
+    return {
+      faces: surface.faces.length,
+      triangles: 2 * surface.faces.length,
+      edges: this.#edges.count,
+      cells: new Set(surface.cells).size,
+    };
   }
 
   invalidate() {
     this.#loop.invalidate();
   }
 
-  #moved() {
-    this.#events.emit("camera", this.#rig.status);
+  #touch() {
+    this.#changed = performance.now();
     this.#loop.invalidate();
+  }
+
+  #moved() {
+    this.#touch();
+    this.#events.emit("camera", this.#rig.status);
+  }
+
+  /** Makes the point of the model under a place the centre that the view turns about. @param {number} x @param {number} y */
+  #centre(x, y) {
+    const row = this.#rowAt(x, y);
+    if (row < 0) return;
+    const ray = this.#rig.rayAt((2 * x) / this.#size.width - 1, 1 - (2 * y) / this.#size.height);
+    const place = this.#picker.meet(row, ray);
+    if (!place) return;
+    const forward = new Vector3(0, 0, -1).applyQuaternion(this.#rig.orientation);
+    if (this.#rig.projection === "perspective") {
+      this.#rig.distance = Math.max(1e-4, place.clone().sub(ray.origin).dot(forward));
+    }
+    this.#rig.target.copy(place);
+    this.#moved();
+  }
+
+  /** @param {number} aspect */
+  #aim(aspect) {
+    this.#rig.aspect = aspect;
+    this.#rig.update();
+  }
+
+  /**
+   * @param {number} width pixels of the target
+   * @param {number} height
+   * @param {number} whole height of the whole picture, of which the target may be a tile
+   * @param {number} pixelRatio
+   */
+  #prepare(width, height, whole, pixelRatio) {
+    const perspective = this.#rig.projection === "perspective";
+    const pixel = (2 * this.#rig.halfHeight) / whole / (perspective ? this.#rig.distance : 1);
+    const view = { width, height, pixelRatio, pixel };
+    this.#edges.mesh.visible = this.#edges.count > 0;
+    for (const layer of [this.#edges, this.#irregular, this.#plane, this.#highlight]) layer.view(view);
+    this.#lighting.prepare(this.#rig.camera, { width, height, perUnit: 1 / pixel });
   }
 
   #draw() {
     const started = performance.now();
     const { width, height } = this.#canvas;
-    this.#rig.update();
-    const pixel =
-      (2 * this.#rig.halfHeight) / height / (this.#rig.projection === "perspective" ? this.#rig.distance : 1);
-    this.#edges.mesh.visible = this.#edges.count > 0;
-    this.#edges.view({ width, height, pixelRatio: this.#pixelRatio, pixel });
+    this.#aim(this.#size.width / this.#size.height);
+    this.#prepare(width, height, height, this.#pixelRatio);
     this.#painter.paint(this.#rig.camera, null);
+    this.#painter.corner((renderer) =>
+      this.#gizmo.draw(renderer, this.#rig.orientation, width, this.#pixelRatio),
+    );
     this.timings.frame = performance.now() - started;
+    if (!this.#lighting.settled) return;
+    this.timings.lighting = this.#lighting.elapsed;
+    for (const resolve of this.#waiting.splice(0)) resolve();
+  }
+
+  /** @param {Event} event */
+  #lost(event) {
+    event.preventDefault();
+    this.#loop.stopped = true;
+    this.#events.emit("contextlost");
+  }
+
+  #restored() {
+    this.#lighting.forget();
+    this.#loop.stopped = false;
+    this.#events.emit("contextrestored");
   }
 
   dispose() {
+    this.#loop.stopped = true;
+    this.#abort.abort();
     this.#trackball.dispose();
-    this.#surface.dispose();
-    this.#edges.dispose();
+    for (const layer of [
+      this.#surface,
+      this.#edges,
+      this.#silhouette,
+      this.#irregular,
+      this.#plane,
+      this.#highlight,
+    ]) {
+      layer.dispose();
+    }
+    this.#gizmo.dispose();
+    this.#picker.dispose();
+    this.#lighting.dispose();
     this.#colours.dispose();
     this.#painter.dispose();
     this.#events.clear();

@@ -12,6 +12,7 @@ import {
   Vector2,
   Vector3,
 } from "three";
+import { meanSide } from "../lighting/mean_side.js";
 import { componentsOf } from "./colour.js";
 import { NOT_FINITE } from "./palettes.js";
 import { flatQuadIndex, quadIndex } from "./quad_index.js";
@@ -27,6 +28,8 @@ export class SurfaceLayer {
   mesh;
   /** @type {import("./types.js").Surface | null} */
   surface = null;
+  /** Mean side of a face. */
+  edge = 1;
   uniforms;
   #material;
   #white;
@@ -87,6 +90,7 @@ export class SurfaceLayer {
     geometry.setAttribute("inside", new BufferAttribute(surface.inside, 1, true));
     geometry.setIndex(surface.quads ? quadIndex(surface.quads) : flatQuadIndex(surface.faces.length));
     geometry.setDrawRange(0, 6 * surface.faces.length);
+    this.edge = meanSide(surface.positions, surface.quads, surface.faces.length);
     this.uniforms.fourByFour.value = surface.quads === null;
   }
 

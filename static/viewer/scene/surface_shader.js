@@ -41,7 +41,7 @@ ${VERTEX_TEXEL}
 
 float openness(int vertex) {
   uvec4 sums = texelFetch(occlusion, vertexTexel(vertex), 0);
-  return sums.y == 0u ? 1.0 : float(sums.x) / float(sums.y);
+  return sums.y == 0u ? 1.0 : min(1.0, float(max(sums.x, sums.z)) / float(sums.y));
 }
 
 void main() {

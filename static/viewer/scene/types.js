@@ -60,8 +60,8 @@
  *
  * @typedef {object} Plane
  * @property {number[]} normal
- * @property {number} offset signed distance from the origin along the normal, in diagonals
- * @property {number} [extent] side of the square, in diagonals
+ * @property {number} offset from 0 to 1 over the extent
+ * @property {number[]} [extent] least and greatest distance from the origin along the normal, in diagonals; the mesh's box
  */
 
 export {};

@@ -1,0 +1,144 @@
+import { ENOUGH, ObjectSpaceAO } from "./object_space_ao.js";
+import { ScreenSpaceAO } from "./screen_space_ao.js";
+import { TimeBudget } from "./time_budget.js";
+
+/** Directions at which nothing is left of the screen-space term. */
+const FADED = 48;
+
+/** A new picture is worth drawing when the number of directions has grown by this. */
+const GROWTH = 1.5;
+
+/**
+ * Chooses and feeds the light of the surface: which terms are gathered, when, and how they are mixed in its shader.
+ */
+export class Lighting {
+  object;
+  /** @type {import("../scene/types.js").LightingMode} */
+  mode = "object_space_ao";
+  #screen;
+  #budget;
+  #layer;
+  #nextPicture = 0;
+  #began = 0;
+  /** Whether the screen-space term of the present view covers for the other. */
+  #covering = false;
+  #view = "";
+
+  /**
+   * @param {import("three").WebGLRenderer} renderer
+   * @param {import("../scene/surface_layer.js").SurfaceLayer} layer
+   */
+  constructor(renderer, layer) {
+    this.object = new ObjectSpaceAO(renderer);
+    this.#screen = new ScreenSpaceAO(renderer);
+    this.#budget = new TimeBudget(/** @type {WebGL2RenderingContext} */ (renderer.getContext()), 64);
+    this.#layer = layer;
+  }
+
+  /** Whether the picture is as good as it will be. */
+  get settled() {
+    return this.mode !== "object_space_ao" || this.object.done;
+  }
+
+  /** The surface's geometry has changed. */
+  restart() {
+    this.object.setSurface(this.#layer.surface, this.#layer.mesh.geometry);
+    this.#nextPicture = 0;
+    this.#covering = false;
+    this.#view = "";
+    this.#began = performance.now();
+  }
+
+  /** The GPU has forgotten everything. */
+  forget() {
+    this.object.forget();
+    this.#budget.reset();
+    this.restart();
+  }
+
+  /**
+   * One turn of gathering.
+   *
+   * @param {boolean} busy the user holds something: smaller lots
+   * @returns {{ again: boolean, draw: boolean }}
+   */
+  step(busy) {
+    const { object } = this;
+    if (this.settled) return { again: false, draw: false };
+    const fresh = object.count === 0;
+    if (fresh || this.#budget.ready(busy)) {
+      const wanted = fresh ? Math.min(8, this.#budget.size) : this.#budget.size;
+      for (let left = wanted; left > 0 && !object.done; ) {
+        const done = object.advance(left);
+        left -= done;
+      }
+      this.#budget.given(wanted);
+    }
+    const draw = object.count >= this.#nextPicture || object.done;
+    if (draw) this.#nextPicture = Math.max(ENOUGH, object.count * GROWTH);
+    return { again: !object.done, draw };
+  }
+
+  /** Gathers what is left, giving way to the page in between. @returns {Promise<void>} */
+  async complete() {
+    while (!this.settled) {
+      this.object.advance(16);
+      if (this.object.count % 64 === 0) await new Promise((resolve) => setTimeout(resolve));
+    }
+  }
+
+  /** Milliseconds from the surface's change to now. */
+  get elapsed() {
+    return performance.now() - this.#began;
+  }
+
+  /**
+   * Sets the surface's shader for the next picture, and draws the screen-space term where it is used.
+   *
+   * @param {import("three").PerspectiveCamera | import("three").OrthographicCamera} camera
+   * @param {{ width: number, height: number, perUnit: number }} view
+   */
+  prepare(camera, { width, height, perUnit }) {
+    const { object, mode } = this;
+    const uniforms = this.#layer.uniforms;
+    this.#layer.lighting = mode;
+    let share = mode === "object_space_ao" && object.count >= ENOUGH ? 1 : 0;
+    let cover = mode === "screen_space_ao" ? 1 : 0;
+    if (mode === "object_space_ao" && object.count < FADED && this.#layer.surface) {
+      const now = [...camera.matrixWorld.elements, ...camera.projectionMatrix.elements, width, height].join();
+      // Once the true term stands alone in a view that moves, the estimate does not come back.
+      if (share > 0 && now !== this.#view) this.#covering = false;
+      if (share === 0) this.#covering = true;
+      if (this.#covering) {
+        cover = 1;
+        const fade = (object.count - ENOUGH) / (FADED - ENOUGH);
+        share = share > 0 ? Math.max(0.25, fade) : 0;
+      }
+      if (this.#covering && now !== this.#view) this.#drawScreen(camera, width, height, perUnit);
+      this.#view = now;
+    }
+    if (mode === "screen_space_ao") this.#drawScreen(camera, width, height, perUnit);
+    uniforms.occlusionShare.value = share;
+    if (share > 0) uniforms.occlusion.value = object.texture;
+    uniforms.screenShare.value = cover;
+    if (cover > 0 && this.#screen.texture) uniforms.screenOpenness.value = this.#screen.texture;
+    uniforms.screenScale.value.set(1 / width, 1 / height);
+  }
+
+  /**
+   * @param {import("three").PerspectiveCamera | import("three").OrthographicCamera} camera
+   * @param {number} width
+   * @param {number} height
+   * @param {number} perUnit
+   */
+  #drawScreen(camera, width, height, perUnit) {
+    const { mesh, edge } = this.#layer;
+    this.#screen.draw(mesh.geometry, camera, { width, height, edge, perUnit });
+  }
+
+  dispose() {
+    this.object.dispose();
+    this.#screen.dispose();
+    this.#budget.reset();
+  }
+}

@@ -1,0 +1,172 @@
+import { DepthAtlas } from "./depth_atlas.js";
+import { DIRECTIONS, directions } from "./directions.js";
+import { Gatherer } from "./gatherer.js";
+import { lightView } from "./light_view.js";
+import { meanSide } from "./mean_side.js";
+import { gatheringPoints } from "./samples.js";
+import { vertexTexel } from "../scene/texel.js";
+
+/** Pixels of the atlas's side. */
+const ATLAS = 2048;
+
+/** Directions from which the term is fit to be seen (the paper's six). */
+export const ENOUGH = 6;
+
+/**
+ * Openness of every drawn vertex to light from 1024 directions, added up on the GPU a batch at a time and never read back.
+ *
+ * @example
+ * light.setSurface(surface, geometry);
+ * while (!light.done) light.advance(16);
+ */
+export class ObjectSpaceAO {
+  /** Directions gathered so far. */
+  count = 0;
+  #renderer;
+  #towards = directions();
+  #gatherer = new Gatherer();
+  /** @type {DepthAtlas | null} */
+  #atlas = null;
+  /** @type {import("three").BufferGeometry | null} */
+  #geometry = null;
+  /** @type {import("../scene/types.js").Surface | null} */
+  #surface = null;
+  /** @type {ReturnType<typeof gatheringPoints> | null} */
+  #points = null;
+  #edge = 1;
+
+  /** @param {import("three").WebGLRenderer} renderer */
+  constructor(renderer) {
+    this.#renderer = renderer;
+  }
+
+  get done() {
+    return this.#surface === null || this.count >= DIRECTIONS;
+  }
+
+  get empty() {
+    return this.#surface === null;
+  }
+
+  /** @returns {import("three").Texture} */
+  get texture() {
+    return this.#gatherer.texture;
+  }
+
+  /**
+   * @param {import("../scene/types.js").Surface | null} surface
+   * @param {import("three").BufferGeometry} geometry
+   */
+  setSurface(surface, geometry) {
+    this.#surface = surface && surface.faces.length > 0 ? surface : null;
+    this.#geometry = geometry;
+    this.#points = null;
+    this.count = 0;
+  }
+
+  /** The GPU has forgotten everything: what lay there is made anew. */
+  forget() {
+    this.#gatherer.dispose();
+    this.#gatherer = new Gatherer();
+    this.#atlas?.dispose();
+    this.#atlas = null;
+    this.#points = null;
+    this.count = 0;
+  }
+
+  #prepare() {
+    const surface = /** @type {import("../scene/types.js").Surface} */ (this.#surface);
+    this.#points = gatheringPoints(surface);
+    this.#edge = meanSide(surface.positions, surface.quads, surface.faces.length);
+    this.#gatherer.setPoints(this.#renderer, this.#points);
+    const side = tileSide(this.#points.box, this.#edge, surface.mode);
+    if (this.#atlas?.side !== side) {
+      this.#atlas?.dispose();
+      this.#atlas = new DepthAtlas(side, Math.min(4, ATLAS / side));
+    }
+    this.#atlas.setGeometry(this.#geometry);
+  }
+
+  /**
+   * Gathers from so many more directions, fewer at the end or where an atlas holds fewer.
+   *
+   * @param {number} wanted
+   * @returns {number} how many were done
+   */
+  advance(wanted) {
+    if (this.done) return 0;
+    if (!this.#points) this.#prepare();
+    const atlas = /** @type {DepthAtlas} */ (this.#atlas);
+    const points = /** @type {ReturnType<typeof gatheringPoints>} */ (this.#points);
+    const { box } = points;
+    const first = this.count;
+    let count = Math.min(atlas.columns ** 2, 2 ** Math.floor(Math.log2(Math.max(1, wanted))));
+    while (first % count !== 0) count /= 2; // so that a batch ends at every power of two
+    const views = [];
+    for (let k = first; k < first + count; k++) {
+      views.push(lightView(this.#towards.subarray(3 * k, 3 * k + 3), box, 2 / atlas.side));
+    }
+    atlas.draw(this.#renderer, views);
+    const texel = Math.hypot(box[3] - box[0], box[4] - box[1], box[5] - box[2]) / atlas.side;
+    this.#gatherer.gather(this.#renderer, atlas, this.#towards, {
+      first,
+      count,
+      lift: lift(texel, this.#edge),
+      rows: points.rows,
+    });
+    this.count += count;
+    return count;
+  }
+
+  /** Openness of every drawn vertex, read back: for tests only. @returns {Float32Array} */
+  read() {
+    const points = /** @type {ReturnType<typeof gatheringPoints>} */ (this.#points);
+    const surface = /** @type {import("../scene/types.js").Surface} */ (this.#surface);
+    return openness(this.#gatherer.read(this.#renderer, points.rows), surface.positions.length / 3);
+  }
+
+  dispose() {
+    this.#gatherer.dispose();
+    this.#atlas?.dispose();
+  }
+}
+
+/**
+ * Pixels of a view's side: enough that a face covers some of them and, where cells stand apart, that a gap does.
+ *
+ * @param {Float64Array} box extent of the surface
+ * @param {number} edge mean side of a face
+ * @param {import("../scene/types.js").SeparationMode} mode
+ * @returns {number} a power of two
+ */
+function tileSide(box, edge, mode) {
+  const extent = Math.hypot(box[3] - box[0], box[4] - box[1], box[5] - box[2]);
+  const apart = mode === "fissure" || mode === "rounded";
+  const wanted = ((apart ? 12 : 3) * extent) / edge;
+  return Math.min(apart ? 1024 : 512, Math.max(256, 2 ** Math.ceil(Math.log2(wanted))));
+}
+
+/**
+ * How far a gathering point is lifted off its face.
+ *
+ * @param {number} texel size of a view's pixel
+ * @param {number} edge mean side of a face
+ * @returns {number}
+ */
+function lift(texel, edge) {
+  return Math.min(texel, 0.05 * edge);
+}
+
+/**
+ * @param {Uint32Array} sums four words per texel
+ * @param {number} vertices
+ * @returns {Float32Array} 0 closed to 1 open, per drawn vertex
+ */
+function openness(sums, vertices) {
+  const out = new Float32Array(vertices);
+  for (let v = 0; v < vertices; v++) {
+    const at = 4 * vertexTexel(v);
+    out[v] = sums[at + 1] === 0 ? 1 : Math.max(sums[at], sums[at + 2]) / sums[at + 1];
+  }
+  return out;
+}

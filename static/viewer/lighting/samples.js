@@ -1,0 +1,77 @@
+import { VERTEX_COLUMNS, vertexRows, vertexTexel } from "../scene/texel.js";
+
+/** How far the point where a flat face's corner gathers light is drawn from the corner to the face's middle. */
+export const PULL = 0.15;
+
+/**
+ * Where and facing what each drawn vertex gathers light: for the GPU, four words per vertex (three floats and a normal of two
+ * 16-bit numbers).
+ *
+ * A corner of a flat face stands on edges that other faces share, where openness has no one value: it is taken a little
+ * inside the face, where it has: towards the middle of the diagonal that the face is cut at, so that it stays on the surface
+ * where the face is not plane. A smooth vertex gathers light where it stands.
+ *
+ * @param {import("../scene/types.js").Surface} surface
+ * @returns {{ words: Uint32Array, rows: number, box: Float64Array }} box: extent
+ */
+export function gatheringPoints(surface) {
+  const { positions, normals, quads } = surface;
+  const vertices = positions.length / 3;
+  const rows = vertexRows(vertices);
+  const words = new Uint32Array(rows * VERTEX_COLUMNS * 4);
+  const floats = new Float32Array(words.buffer);
+  const flat = quads === null;
+  const box = new Float64Array([Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity]);
+  let triangle = false;
+  for (let v = 0, p = 0; v < vertices; v++) {
+    const at = 4 * vertexTexel(v);
+    const base = flat ? 12 * (v >> 2) : 0;
+    if (flat && (v & 3) === 0) triangle = isTriangle(positions, base);
+    for (let k = 0; k < 3; k++, p++) {
+      const value = positions[p];
+      if (value < box[k]) box[k] = value;
+      if (value > box[k + 3]) box[k + 3] = value;
+      if (flat) {
+        const middle = triangle
+          ? (positions[base + k] + positions[base + k + 3] + positions[base + k + 6]) / 3
+          : (positions[base + k] + positions[base + k + 6]) / 2;
+        floats[at + k] = value + PULL * (middle - value);
+      } else floats[at + k] = value;
+    }
+    words[at + 3] = packNormal(normals[4 * v], normals[4 * v + 1], normals[4 * v + 2]);
+  }
+  return { words, rows, box };
+}
+
+/**
+ * Whether a face's last two corners coincide.
+ *
+ * @param {Float32Array} positions
+ * @param {number} base
+ * @returns {boolean}
+ */
+function isTriangle(positions, base) {
+  return (
+    positions[base + 6] === positions[base + 9] &&
+    positions[base + 7] === positions[base + 10] &&
+    positions[base + 8] === positions[base + 11]
+  );
+}
+
+/**
+ * A direction in 32 bits: the octahedral mapping (Cigolle et al. 2014), as GLSL's unpackSnorm2x16 takes it.
+ *
+ * @param {number} x @param {number} y @param {number} z any length but 0
+ * @returns {number}
+ */
+export function packNormal(x, y, z) {
+  const sum = Math.abs(x) + Math.abs(y) + Math.abs(z) || 1;
+  let u = x / sum;
+  let v = y / sum;
+  if (z < 0) {
+    const w = (1 - Math.abs(v)) * (u < 0 ? -1 : 1);
+    v = (1 - Math.abs(u)) * (v < 0 ? -1 : 1);
+    u = w;
+  }
+  return ((Math.round(u * 32767) & 0xffff) | (Math.round(v * 32767) << 16)) >>> 0;
+}

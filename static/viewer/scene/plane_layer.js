@@ -1,0 +1,59 @@
+import { Group, Vector3 } from "three";
+import { FlatLayer } from "./flat_layer.js";
+import { LinesLayer } from "./lines_layer.js";
+
+/**
+ * The slicing plane as a translucent square with a rim.
+ */
+export class PlaneLayer {
+  group = new Group();
+  #square = new FlatLayer("#56bbbb", 0.1);
+  #rim = new LinesLayer([{ colour: "#0b6e74", ink: 0.7 }]);
+
+  constructor() {
+    this.group.add(this.#square.mesh, this.#rim.mesh);
+    this.group.visible = false;
+  }
+
+  /**
+   * @param {number[] | null} normal null: no plane
+   * @param {number} distance of the plane from the origin along the normal
+   * @param {number} side
+   */
+  set(normal, distance, side) {
+    this.group.visible = normal !== null;
+    if (!normal) return;
+    const n = new Vector3().fromArray(normal).normalize();
+    const least = Math.min(Math.abs(n.x), Math.abs(n.y), Math.abs(n.z));
+    const aside = new Vector3(
+      +(Math.abs(n.x) === least),
+      +(Math.abs(n.y) === least),
+      +(Math.abs(n.z) === least),
+    );
+    const u = aside
+      .cross(n)
+      .normalize()
+      .multiplyScalar(side / 2);
+    const v = new Vector3().crossVectors(n, u);
+    const middle = n.clone().multiplyScalar(distance);
+    const [a, b, c, d] = [
+      [-1, -1],
+      [1, -1],
+      [1, 1],
+      [-1, 1],
+    ].map(([s, t]) => middle.clone().addScaledVector(u, s).addScaledVector(v, t).toArray());
+    this.#square.set(new Float32Array([a, b, c, a, c, d].flat()));
+    this.#rim.set(new Float32Array([a, b, b, c, c, d, d, a].flat()), null);
+    this.#rim.mesh.visible = true;
+  }
+
+  /** @param {Parameters<LinesLayer["view"]>[0]} view */
+  view(view) {
+    this.#rim.view(view);
+  }
+
+  dispose() {
+    this.#square.dispose();
+    this.#rim.dispose();
+  }
+}
