@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from hexalab.filters import NOTHING_PICKED, Picking, Regulariser, band, dig, isolate, peel, pick, undig
 from tests.core.filters.boxes import box
+from tests.core.topology.checks import topology
 from tests.core.topology.strategies import meshes
-from tests.core.topology.test_faces import topology
 
 Hidden = NDArray[np.bool_]
 

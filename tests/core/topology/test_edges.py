@@ -7,29 +7,10 @@ import pytest
 from hypothesis import given, settings
 from numpy.typing import NDArray
 
-from hexalab.mesh import EDGES, FACES
-from hexalab.topology import Topology
-from tests.core.topology.brute_force import BruteForce
+from hexalab.mesh import FACES
+from tests.core.topology.checks import check_edges, check_walks, topology
 from tests.core.topology.grids import grid_cells
 from tests.core.topology.strategies import meshes
-from tests.core.topology.test_faces import topology
-
-
-def check_edges(cells: NDArray[np.int32], t: Topology) -> None:
-    truth = BruteForce(cells.tolist())
-    found = [frozenset(ends) for ends in t.edge_vertices.T.tolist()]
-    assert len(found) == len(set(found)) == t.edge_count
-    assert set(found) == set(truth.edge_cells)
-    for cell, ids in enumerate(cells.tolist()):
-        for place, (a, b) in enumerate(EDGES):
-            row = int(t.cell_edges[place, cell])
-            assert (row < 0) == (ids[a] == ids[b])
-            assert row < 0 or found[row] == frozenset((ids[a], ids[b]))
-    around = {edge: len(of) for edge, of in truth.edge_cells.items()}
-    assert dict(zip(found, t.edge_cells.tolist(), strict=True)) == around
-    assert {found[row] for row in np.flatnonzero(t.edge_on_boundary)} == truth.boundary_edges
-    assert t.interior_edge_valence == truth.valence(on_boundary=False)
-    assert t.boundary_edge_valence == truth.valence(on_boundary=True)
 
 
 @given(meshes)
@@ -85,20 +66,8 @@ def test_V4_grid_valence_in_closed_form() -> None:
 
 @given(meshes)
 @settings(max_examples=150, deadline=None)
-def test_F2_depth_equals_breadth_first_search(cells: NDArray[np.int32]) -> None:
-    t = topology(cells)
-    truth = BruteForce(cells.tolist()).depth
-    assert t.depth.tolist() == truth
-    assert t.cells_per_depth == [truth.count(level) for level in range(max(truth, default=-1) + 1)]
-
-
-@given(meshes)
-@settings(max_examples=150, deadline=None)
-def test_R9_components_equal_a_walk(cells: NDArray[np.int32]) -> None:
-    t = topology(cells)
-    truth = BruteForce(cells.tolist()).components
-    assert t.components.tolist() == truth
-    assert t.component_count == len(set(truth))
+def test_F2_R9_depth_and_components_equal_walks(cells: NDArray[np.int32]) -> None:
+    check_walks(cells, topology(cells))
 
 
 def test_F2_a_mesh_without_boundary_has_no_depth() -> None:

@@ -7,48 +7,9 @@ import pytest
 from hypothesis import given, settings
 from numpy.typing import NDArray
 
-from hexalab.mesh import FACES
-from hexalab.topology import Topology
-from tests.core.topology.brute_force import BruteForce
+from tests.core.topology.checks import check_faces, topology
 from tests.core.topology.grids import grid_cells
 from tests.core.topology.strategies import meshes
-
-
-def topology(cells: NDArray[np.int32], vertex_count: int | None = None) -> Topology:
-    cells = np.asarray(cells, dtype=np.int32).reshape(-1, 8)
-    count = int(cells.max(initial=-1)) + 1 if vertex_count is None else vertex_count
-    return Topology(np.ascontiguousarray(cells.T), count)
-
-
-def check_faces(cells: NDArray[np.int32], t: Topology) -> None:
-    truth = BruteForce(cells.tolist())
-    assert t.face_count == len(truth.face_cells)
-    assert t.boundary_face_count == len(truth.boundary)
-    assert t.nonmanifold_face_count == sum(len(around) > 2 for around in truth.face_cells.values())
-    seen: dict[frozenset[int], list[tuple[int, int]]] = {}
-    corners = t.face_corners
-    for row in range(t.face_cells.shape[1]):
-        face = frozenset(corners[:, row].tolist())
-        for side in range(2):
-            cell, local = int(t.face_cells[side, row]), int(t.face_locals[side, row])
-            if cell >= 0:
-                assert face == frozenset(cells[cell, list(FACES[local])].tolist())
-                assert t.cell_faces[local, cell] == row
-                seen.setdefault(face, []).append((cell, local))
-        if t.face_cells[1, row] >= 0:
-            assert t.face_cells[0, row] != t.face_cells[1, row]
-    assert {face: sorted(sides) for face, sides in seen.items()} == truth.face_sides
-    assert (t.cell_faces >= 0).sum() == sum(len(sides) for sides in truth.face_sides.values())
-    for face, sides in truth.face_sides.items():
-        rows = {int(t.cell_faces[local, cell]) for cell, local in sides}
-        pairs = sum(t.face_cells[1, row] >= 0 for row in rows)
-        most = max(sum(c == cell for c, _ in sides) for cell, _ in sides)
-        assert pairs == min(len(sides) // 2, len(sides) - most), face
-    on_boundary = {frozenset(corners[:, row].tolist()) for row in t.boundary_faces}
-    assert on_boundary == truth.boundary
-    assert set(np.flatnonzero(t.boundary_vertices).tolist()) == truth.boundary_vertices
-    many = {frozenset(corners[:, row].tolist()) for row in t.nonmanifold_face_rows}
-    assert many == {face for face, around in truth.face_cells.items() if len(around) > 2}
 
 
 @given(meshes)

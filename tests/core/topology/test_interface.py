@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from hexalab.topology import Topology
 from hexalab.topology.stars import Stars
+from tests.core.topology.checks import topology
 from tests.core.topology.grids import grid_cells
 from tests.core.topology.strategies import meshes
-from tests.core.topology.test_faces import topology
 
 
 def truth(t: Topology, shown: NDArray[np.bool_]) -> dict[int, tuple[int, int, int]]:
