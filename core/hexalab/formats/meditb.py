@@ -97,7 +97,7 @@ class Reader:
         """So many entries from the present position."""
         left = len(self.source.data) - self.position
         if count < 0 or count * dtype.itemsize > left:
-            raise self.error(f"{count} {what} are announced, {dtype.itemsize} bytes each; {left} are left")
+            raise self.error(f"{count} {what} are announced, {dtype.itemsize} bytes each, with {left} left")
         values = np.frombuffer(self.source.data, dtype, count, self.position)
         self.position += count * dtype.itemsize
         return values
