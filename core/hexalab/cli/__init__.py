@@ -26,6 +26,8 @@ VERBS = {
     "convert": "write a mesh in another format",
     "build": "build the site out of the repository",
     "serve": "serve a built site on this machine",
+    "validate": "check sources for the catalogue and measure their meshes",
+    "new-source": "start a source's folder for the catalogue",
 }
 """Verbs and what they do; each is the module of its name (a hyphen read as an underscore)."""
 
