@@ -30,8 +30,8 @@ class Surface:
     cells : (N,) uint32
         Cell of each vertex.
     inside : (N,) uint8
-        0 on the mesh's boundary, 255 on what filters expose; between them where two such faces of a cell are
-        rounded into each other.
+        0 on the mesh's boundary, 255 on what filters expose. Where a cell is rounded from the one into the
+        other, the edge between them counts as boundary.
     quads : (4 Q,) uint32 or None
         Vertices of each quad, to be drawn as triangles 0 1 2 and 0 2 3; None if they stand four by four. A
         triangle repeats its last vertex.

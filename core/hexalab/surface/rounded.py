@@ -144,7 +144,7 @@ def _faces_of_cells(drawing: Drawing, shape: Lattice, block: ExposedCells) -> tu
     """Normals, packed in eight bytes, and `inside` of each class of nodes of each cell, class after class."""
     count = len(block.cells)
     rows = drawing.topology.cell_faces[:, block.cells]
-    within = exposed_by_filters(drawing, rows).astype(np.float32) * np.float32(255)
+    within = exposed_by_filters(drawing, rows).view(np.uint8) * np.uint8(255)
     faces = np.empty((6, 3, count), np.float32)
     for face in sorted({face for faces_of in shape.faces_of_class for face in faces_of}):
         faces[face] = quad_normals(
@@ -153,14 +153,13 @@ def _faces_of_cells(drawing: Drawing, shape: Lattice, block: ExposedCells) -> tu
     normals = np.empty((len(shape.faces_of_class), count), np.int64)
     inside = np.empty((len(shape.faces_of_class), count), np.uint8)
     for i, (first, *others) in enumerate(shape.faces_of_class):
-        total, share = faces[first], within[first]
+        total = faces[first]
+        inside[i] = within[first]
         if others:
-            total, share = total.copy(), share.copy()
+            total = total.copy()
             for face in others:
                 total += faces[face]
-                share += within[face]
-            share /= len(others) + 1
+                inside[i] &= within[face]
             unit(total)
         normals[i] = pack(total).view(np.int64).reshape(-1)
-        inside[i] = share
     return normals.reshape(-1), inside.reshape(-1)
