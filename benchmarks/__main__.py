@@ -20,10 +20,14 @@ def main(names: list[str]) -> int:
     """Run the parts named, or all of them."""
     unknown = set(names) - set(PARTS)
     if unknown:
-        print(f"benchmarks: no part {', '.join(sorted(unknown))}; there are {', '.join(PARTS)}", file=sys.stderr)
+        print(
+            f"benchmarks: no part {', '.join(sorted(unknown))}; there are {', '.join(PARTS)}", file=sys.stderr
+        )
         return 2
     load = os.getloadavg()
-    print(f"{platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}, load {load[0]:.1f}")
+    print(
+        f"{platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}, load {load[0]:.1f}"
+    )
     for name in names or PARTS:
         PARTS[name](FOLDER)
     return 0

@@ -44,7 +44,9 @@ def run(folder: Path) -> None:
         "browser: open a .mesh, file to picture [ms]", ["mesh", "open", *STEPS, "MB wasm", "original"], rows
     )
     table(
-        "browser: 41 slices [ms]", ["mesh", "core, median", "core, worst", "to picture, median", "worst"], slices
+        "browser: 41 slices [ms]",
+        ["mesh", "core, median", "core, worst", "to picture, median", "worst"],
+        slices,
     )
 
 
@@ -79,5 +81,3 @@ def _start(folder: Path) -> None:
         page.evaluate("() => window.hexalab.ready")
         warm = page.evaluate("() => window.hexalab.timings().boot")
     table("browser: Python ready after [ms]", ["cold", "warm"], [[f"{cold:.0f}", f"{warm:.0f}"]])
-
-

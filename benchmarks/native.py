@@ -9,16 +9,15 @@ from typing import Any
 import meshio
 import numpy as np
 import vtk
+from hexalab.quality.validity import certify
 
 import hexalab
 from hexalab.filters.stack import FilterStack
 from hexalab.quality import METRICS
-from hexalab.quality.validity import certify
 from hexalab.session import Session
 
 from .clock import median_ms, table
 from .grids import SIZES, grid_file
-
 
 STEPS = (
     "faces", "edges", "depth", "scaled Jacobian", "all metrics", "validity", "filter", "slice", "fissure", "rounded",
@@ -93,4 +92,7 @@ def _step_times(name: str, folder: Path) -> list[float]:
     session.open(path.name, path.read_bytes())
     session.update({})
     runs = {"filter": 21, "slice": 21}
-    return [median_ms(step, runs.get(label, 1 if name == "1M" else 3)) for label, step in _steps(mesh, session).items()]
+    return [
+        median_ms(step, runs.get(label, 1 if name == "1M" else 3))
+        for label, step in _steps(mesh, session).items()
+    ]

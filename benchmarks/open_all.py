@@ -55,7 +55,11 @@ def differences(found: dict[str, Any], expected: dict[str, Any]) -> list[str]:
     truth = expected.get("verdict", {}).get("scaled_jacobian", {})
     for key in ("min", "mean", "max"):
         unmeasured = key != "min" and truth.get("max", 0) >= SENTINEL
-        if key in truth and not unmeasured and not math.isclose(quality[key], truth[key], rel_tol=1e-9, abs_tol=1e-12):
+        if (
+            key in truth
+            and not unmeasured
+            and not math.isclose(quality[key], truth[key], rel_tol=1e-9, abs_tol=1e-12)
+        ):
             wrong.append(f"scaled_jacobian {key} is {quality[key]}, expected {truth[key]}")
     if (truth.get("max", 0) >= SENTINEL) != (quality["not_finite"] > 0):
         wrong.append(f"{quality['not_finite']} cells without a finite scaled_jacobian")
@@ -84,7 +88,9 @@ def _try(page: Page, address: str, expected: dict[str, Any], errors: list[str]) 
         return [error.message.splitlines()[0]]
     wrong = differences(found, expected)
     if found["whole"]["faces"] != found["summary"]["boundary_faces"]:
-        wrong.append(f"{found['whole']['faces']} faces drawn, {found['summary']['boundary_faces']} on the boundary")
+        wrong.append(
+            f"{found['whole']['faces']} faces drawn, {found['summary']['boundary_faces']} on the boundary"
+        )
     if not 0 < found["sliced"]["cells"] < found["summary"]["cells"]:
         wrong.append(f"{found['sliced']['cells']} cells shown after a slice at one half")
     if not wrong and not errors:
