@@ -30,8 +30,11 @@ Planes = tuple[tuple[str, tuple[float, ...], float], ...]
 Bands = tuple[tuple[str, Keep, float | None, float | None], ...]
 """Source, side that is kept, and both ends of each band."""
 
-NORMALS_KEPT = 4
-"""Eight bytes per cell for each normal; a status seldom has more planes than three."""
+NORMALS_KEPT = 32
+"""As many as a status may have planes."""
+
+MOST_BYTES_OF_PLACES = 64 * 2**20
+"""Eight bytes per cell for each normal: of large meshes fewer are kept."""
 
 
 class FilterStack:
@@ -86,7 +89,8 @@ class FilterStack:
                 self._places[key] = barycentre_places(mesh.barycentres, normal)
             else:
                 self._places[key] = any_corner_places(mesh.coordinates, mesh.corners, mesh.referenced, normal)
-            while len(self._places) > NORMALS_KEPT:
+            most = min(NORMALS_KEPT, MOST_BYTES_OF_PLACES // (8 * mesh.cell_count + 1) + 1)
+            while len(self._places) > most:
                 self._places.popitem(last=False)
         self._places.move_to_end(key)
         return self._places[key]

@@ -168,11 +168,9 @@ def cells_around(edges: Edges, repeating: Array) -> Ids:
 
 def repeating_cells(corners: Ids) -> NDArray[np.bool_]:
     """(C,) bool: which cells have a vertex at more than one corner."""
-    out = np.zeros(corners.shape[1], dtype=bool)
+    out = np.empty(corners.shape[1], dtype=bool)
     for start in range(0, corners.shape[1], CHUNK):
         part = slice(start, start + CHUNK)
-        chunk = corners[:, part]
-        for a in range(7):
-            for b in range(a + 1, 8):
-                out[part] |= chunk[a] == chunk[b]
+        ids = np.sort(corners[:, part], axis=0)
+        np.any(ids[1:] == ids[:-1], axis=0, out=out[part])
     return out

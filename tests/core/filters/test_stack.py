@@ -121,6 +121,17 @@ def test_F6_a_moved_plane_measures_nothing_anew(monkeypatch: pytest.MonkeyPatch)
         stack.apply({"planes": {"items": [{"normal": [0, 1, 0], "offset": 0.4}]}})
 
 
+def test_P7_places_kept_are_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
+    stack = FilterStack(MESH, VALUES.__getitem__)
+    for turn in range(40):
+        stack.places([1, 0, turn])
+    assert len(stack._places) == 32
+    monkeypatch.setattr("hexalab.filters.stack.MOST_BYTES_OF_PLACES", 0)
+    first = stack.places([0, 1, 0])
+    assert len(stack._places) == 1
+    assert stack.places([0, 1, 0]) is first
+
+
 def test_F1_places_tell_the_ends_of_the_slider() -> None:
     stack = FilterStack(MESH, VALUES.__getitem__)
     assert stack.places([2, 0, 0])[1:] == (0.5, 4.5)
