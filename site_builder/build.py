@@ -161,7 +161,7 @@ def _add_meshes(
         except (HexaLabError, MakingError) as error:
             catalogue.problems.append(problem_of(mesh, str(error)))
             continue
-        catalogue.problems.extend(_disagreements(mesh))
+        catalogue.problems.extend(disagreements(mesh))
         output.copy(unquote(mesh.file_address), mesh.local)
         output.write(mesh.preview_address, preview)
         previews.add(mesh.preview_address)
@@ -175,7 +175,7 @@ def problem_of(mesh: MeshEntry, message: str, field_name: str = "") -> Problem:
     return Problem("error", file, mesh.line, name, message)
 
 
-def _disagreements(mesh: MeshEntry) -> list[Problem]:
+def disagreements(mesh: MeshEntry) -> list[Problem]:
     """Where source.yaml says something else than the file."""
     found = []
     if mesh.declared_cells is not None and mesh.declared_cells != mesh.facts.cells:

@@ -45,7 +45,7 @@ def _jacobian(mesh: MeshEntry) -> int:
 
 
 def _validity(mesh: MeshEntry) -> int:
-    return ["good", "invalid", "warning", ""].index(short_verdict(mesh.facts)[0])
+    return ["good", "positive", "invalid", "warning", ""].index(short_verdict(mesh.facts)[0])
 
 
 def _structure(mesh: MeshEntry) -> int:
@@ -61,28 +61,54 @@ def _year(mesh: MeshEntry) -> int:
 FACETS = (
     Facet("origin", "Origin", (("own", "our own"), ("published", "published")), _origin),
     Facet(
-        "cells", "Cells",
-        (("s", "under 1,000"), ("m", "to 10,000"), ("l", "to 100,000"), ("xl", "100,000 and more"), ("unknown", "not known")),
+        "cells",
+        "Cells",
+        (
+            ("s", "under 1,000"),
+            ("m", "to 10,000"),
+            ("l", "to 100,000"),
+            ("xl", "more"),
+            ("unknown", "not known"),
+        ),
         _cells,
     ),
     Facet(
-        "jacobian", "Minimum Scaled Jacobian",
-        (("high", "over 0.5"), ("middle", "0.2 to 0.5"), ("low", "0 to 0.2"), ("negative", "0 or less"), ("unknown", "not known")),
+        "jacobian",
+        "Minimum Scaled Jacobian",
+        (
+            ("high", "over 0.5"),
+            ("middle", "0.2 to 0.5"),
+            ("low", "0 to 0.2"),
+            ("negative", "0 or less"),
+            ("unknown", "not known"),
+        ),
         _jacobian,
     ),
     Facet(
-        "validity", "Validity",
-        (("valid", "valid"), ("invalid", "invalid"), ("undecided", "undecided"), ("unknown", "not known")), _validity,
+        "validity",
+        "Validity",
+        (
+            ("valid", "certified valid"),
+            ("positive", "SJ positive"),
+            ("invalid", "invalid"),
+            ("undecided", "undecided"),
+            ("unknown", "not known"),
+        ),
+        _validity,
     ),
     Facet(
-        "structure", "Interior edges",
-        (("regular", "all regular"), ("irregular", "some irregular"), ("unknown", "not known")), _structure,
+        "structure",
+        "Interior edges",
+        (("regular", "all regular"), ("irregular", "some irregular"), ("unknown", "not known")),
+        _structure,
     ),
     Facet(
-        "year", "Year",
-        (("2015", "to 2015"), ("2018", "2016 to 2018"), ("2021", "2019 to 2021"), ("now", "since 2022")), _year,
+        "year",
+        "Year",
+        (("2015", "to 2015"), ("2018", "2016–18"), ("2021", "2019–21"), ("now", "since 2022")),
+        _year,
     ),
-)  # fmt: skip
+)
 
 
 def codes(mesh: MeshEntry) -> str:

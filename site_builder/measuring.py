@@ -7,8 +7,9 @@ import json
 from pathlib import Path
 from typing import Any
 
-import hexalab
 import numpy as np
+
+import hexalab
 from hexalab.diagnosis import turn_round
 from hexalab.formats import read_bytes
 from hexalab.quality import histogram, quality

@@ -171,6 +171,11 @@ class Source:
         return f"{who} {self.year}"
 
     @property
+    def label(self) -> str:
+        """Who, when and what: "Livesu et al. 2013: PolyCut"."""
+        return self.title if self.title.startswith(self.short) else f"{self.short}: {self.title}"
+
+    @property
     def venue(self) -> str:
         """Where it appeared: "Computer Graphics Forum 30(5), 1407-1416"."""
         item = self.reference
@@ -204,6 +209,7 @@ class Catalogue:
     description: str = ""
     address: str = ""
     publisher: str = ""
+    first: list[str] = field(default_factory=list)
     sources: list[Source] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)
 

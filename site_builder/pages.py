@@ -7,9 +7,10 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from hexalab.quality import METRICS
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
+
+from hexalab.quality import METRICS
 
 from . import metadata, words
 from .citations import STYLES, citation, plain

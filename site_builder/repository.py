@@ -11,7 +11,7 @@ from typing import Any
 from urllib.parse import quote, unquote, urljoin
 
 from jsonschema import Draft202012Validator
-from jsonschema.exceptions import ValidationError, best_match
+from jsonschema.exceptions import ValidationError
 
 from .documents import Document, DocumentError, FieldPath, field_name, read_yaml
 from .facts import Facts, read_published
@@ -46,7 +46,9 @@ def read_repository(root: Path) -> Catalogue:
         if source:
             catalogue.sources.append(source)
     _check_unique(catalogue)
-    catalogue.sources.sort(key=lambda source: (not source.own, -source.year, source.title.lower()))
+    place = {name: number for number, name in enumerate(catalogue.first)}
+    last = len(place)
+    catalogue.sources.sort(key=lambda s: (place.get(s.slug, last), -s.year, s.title.lower()))
     return catalogue
 
 
@@ -127,11 +129,11 @@ def schema_problems(document: Document, kind: str) -> Iterator[tuple[FieldPath, 
 
 
 def _deepest(error: ValidationError) -> ValidationError:
-    """The error that tells most, where several forms were allowed."""
-    if error.validator in ("anyOf", "oneOf") and error.context:
-        inner = best_match(error.context)
-        if inner is not None and tuple(inner.absolute_path) != tuple(error.absolute_path):
-            return inner
+    """The error that tells most, where several forms were allowed: one about a field inside."""
+    if error.validator in ("anyOf", "oneOf"):
+        inside = [one for one in error.context or () if len(one.absolute_path) > len(error.absolute_path)]
+        if inside:
+            return _deepest(inside[0])
     return error
 
 
@@ -158,6 +160,8 @@ def _explain(error: ValidationError) -> str:
         case "oneOf" if "required" in str(wanted):
             keys = [option["required"][0] for option in wanted if "required" in option]
             return f"found {found}, expected exactly one of {', '.join(keys)}" if keys else error.message
+        case "anyOf" if "description" in error.schema:
+            return f"found {found}, expected {error.schema['description']}"
         case "minLength" | "minItems":
             return f"found {found}, expected at least {wanted} {_unit(error)}"
         case "maxLength" | "maxItems":

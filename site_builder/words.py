@@ -11,6 +11,16 @@ SEMI_STRUCTURED = 0.05
 """Below this share of irregular interior edges a mesh is called semi-structured."""
 
 
+SHORT = {
+    "good": "valid",
+    "positive": "SJ > 0",
+    "invalid": "invalid",
+    "warning": "undecided",
+    "": "not measured",
+}
+"""A mark's word by its state."""
+
+
 def count(number: int | None) -> str:
     """A count with separators: 1,000,000."""
     return NOT_KNOWN if number is None else f"{number:,}"
@@ -86,7 +96,7 @@ def _valences(valence: dict[int, int]) -> str:
 
 
 def verdict(facts: Facts) -> tuple[str, str]:
-    """Whether the mesh is valid: a state ("good", "invalid", "warning" or "") and the words for it."""
+    """Whether the mesh is valid: a state ("good", "positive", "invalid", "warning" or "") and the words for it."""
     cells = facts.cells or 0
     if facts.validity is not None:
         invalid, undecided = facts.validity["invalid"], facts.validity["undecided"]
@@ -103,13 +113,13 @@ def verdict(facts: Facts) -> tuple[str, str]:
             "invalid",
             f"{count(bad)} of {plural(cells, 'cell')} with a Scaled Jacobian that isn't positive",
         )
-    return "good", "Scaled Jacobian positive in every cell"
+    return "positive", "Scaled Jacobian positive in every cell, not certified"
 
 
 def short_verdict(facts: Facts) -> tuple[str, str]:
     """The same in one word."""
     state, _ = verdict(facts)
-    return state, {"good": "valid", "invalid": "invalid", "warning": "undecided", "": "not measured"}[state]
+    return state, SHORT[state]
 
 
 _KINDS = {"hexahedron": "hexahedra", "tetrahedron": "tetrahedra", "wedge": "wedges", "pyramid": "pyramids"}

@@ -1,7 +1,7 @@
 """Faults: one mesh for each thing that a diagnosis must find, otherwise as plain as can be."""
 
 import numpy as np
-from making.solid import TURNED, box, polycube, unite
+from making.solid import TURNED, box, moved, polycube, unite
 from making.writing import medit
 
 
@@ -59,7 +59,7 @@ def coincident_vertices():
     """Two blocks that touch but don't share the vertices between them."""
     left, left_cells = box(3, 4, 4, (3.0, 4.0, 4.0))
     right, right_cells = box(3, 4, 4, (3.0, 4.0, 4.0))
-    crossing = np.concatenate([left, right + [3.0, 0.0, 0.0]])
+    crossing = np.concatenate([left, moved(right, 3.0, 0.0, 0.0)])
     return crossing, np.concatenate([left_cells, right_cells + len(left)])
 
 
@@ -97,9 +97,7 @@ def all_inverted():
 
 def components():
     """Three bodies in one file."""
-    return unite(
-        *((np.asarray(p) + [1.5 * k, 0.0, 0.2 * k], c) for k, (p, c) in enumerate([box(3, 3, 3)] * 3))
-    )
+    return unite(*((moved(p, 1.5 * k, 0.0, 0.2 * k), c) for k, (p, c) in enumerate([box(3, 3, 3)] * 3)))
 
 
 def touching_edge():

@@ -5,6 +5,8 @@ fewer). Swept across and applied again in the other direction to the cells that 
 solid template: 13 cells between one and 3 x 3 faces (Schneiders 1996), 28 between 2 x 2 and 4 x 4 (Ito et al. 2009).
 """
 
+from itertools import pairwise
+
 import numpy as np
 
 from .solid import unite
@@ -47,7 +49,7 @@ def transition(template):
     for quad in quads[:lower]:
         parts.append(_refined(points[quad], template))
     for quad in quads[lower:]:
-        for start, end in zip(upper_cuts[:-1], upper_cuts[1:], strict=True):
+        for start, end in pairwise(upper_cuts):
             parts.append(_plain(points[quad], start, end))
     return unite(*parts)
 
@@ -56,7 +58,7 @@ def edge_transition(template, steps=1):
     """The flat template swept along y: refined in one direction only."""
     points, quads = template
     cuts = np.linspace(0, 1, steps + 1)
-    rows = zip(cuts[:-1], cuts[1:], strict=True)
+    rows = pairwise(cuts)
     return unite(*(_plain(points[quad], start, end) for start, end in rows for quad in quads))
 
 

@@ -110,6 +110,11 @@ def frames(curve, closed):
     return curve, [(one, np.cross(tangent, one)) for one, tangent in zip(first, ahead, strict=True)]
 
 
+def moved(points, *by):
+    """Points moved by a vector."""
+    return points + np.array(by, dtype=float)
+
+
 def unite(*parts):
     """Put solids together and join the vertices that coincide."""
     points = np.concatenate([points for points, _ in parts])

@@ -2,7 +2,7 @@
 
 import numpy as np
 from making.flat import annulus, disc, join, rectangle, rounded
-from making.solid import ball, box, extrude, outward, polycube, sweep, unite
+from making.solid import ball, box, extrude, moved, outward, polycube, sweep
 from making.writing import medit
 
 
@@ -135,7 +135,7 @@ def _tile_with_hole(column, row):
     ids = np.arange(64).reshape(4, 16)
     right = np.roll(ids, -1, axis=1)
     quads = np.stack([ids[:-1], ids[1:], right[1:], right[:-1]], axis=-1).reshape(-1, 4)
-    return points + [column, row], quads
+    return moved(points, column, row), quads
 
 
 def knot():

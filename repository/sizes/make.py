@@ -16,7 +16,7 @@ SIZES = {
 }
 
 
-def noisy_grid(columns, rows, layers, amount=0.28):
+def noisy_grid(columns, rows, layers, amount=0.15):
     """A grid of unit cells; each inner vertex is moved by up to `amount` of a cell's side along each axis."""
     points, cells = box(columns, rows, layers, (columns, rows, layers))
     inner = ((points > 0) & (points < (columns, rows, layers))).all(axis=1)

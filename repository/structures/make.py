@@ -3,7 +3,7 @@
 import numpy as np
 from making.flat import disc, fan, join, rectangle
 from making.refinement import HALVES, THIRDS, edge_transition, tiled, transition
-from making.solid import box, extrude, outward, polycube, unite
+from making.solid import box, extrude, moved, outward, polycube, unite
 from making.writing import medit, vtk
 
 
@@ -63,7 +63,7 @@ def three_refinement():
     return unite(
         (fine, fine_cells),
         tiled(transition(THIRDS), 3, 3, corner=(0, 0, 1)),
-        (coarse + [0, 0, 2.0], coarse_cells),
+        (moved(coarse, 0, 0, 2.0), coarse_cells),
     )
 
 
@@ -74,7 +74,7 @@ def two_refinement():
     return unite(
         (fine, fine_cells),
         tiled(transition(HALVES), 2, 2, size=2.0, corner=(0, 0, 1)),
-        (coarse + [0, 0, 3.0], coarse_cells),
+        (moved(coarse, 0, 0, 3.0), coarse_cells),
     )
 
 
@@ -94,9 +94,9 @@ def octree():
     return unite(
         (finest, finest_cells),
         small,
-        (middle + [0, 0, 0.25 + 1 / 3], middle_cells),
+        (moved(middle, 0, 0, 0.25 + 1 / 3), middle_cells),
         large,
-        (coarse + [0, 0, top], coarse_cells),
+        (moved(coarse, 0, 0, top), coarse_cells),
     )
 
 

@@ -17,10 +17,10 @@ export function cards(rows, root) {
     link.append(picture(row, root), element("span", "card-name", row.name));
     const facts = element("span", "card-facts");
     facts.append(
-      element("span", "", `${number(row.cells)} cells`),
-      element("span", "", `SJ ≥ ${decimal(row.low)}`),
+      element("span", "", row.cells === 1 ? "1 cell" : `${number(row.cells)} cells`),
+      element("span", "", `min SJ ${decimal(row.low)}`),
     );
-    if (row.codes[3] === "1") facts.append(element("span", "mark mark-invalid", "invalid"));
+    if (row.codes[3] === "2") facts.append(element("span", "mark mark-invalid", "invalid"));
     const card = element("li", "card");
     card.append(link, element("span", "card-source", row.source.short), facts);
     list.append(card);
@@ -60,9 +60,8 @@ export function table(rows, root) {
     cell.append(element("span", `mark mark-${state}`, word));
     line.append(cell);
   }
-  const scroll = element("div", "scroll");
+  const scroll = element("section", "scroll");
   scroll.tabIndex = 0;
-  scroll.setAttribute("role", "region");
   scroll.setAttribute("aria-label", "Table of meshes");
   scroll.append(made);
   return scroll;
@@ -71,6 +70,7 @@ export function table(rows, root) {
 /** The facet "validity", option by option: class of the mark and its word. */
 const VALIDITY = [
   ["good", "valid"],
+  ["positive", "SJ > 0"],
   ["invalid", "invalid"],
   ["warning", "undecided"],
   ["unknown", "not measured"],

@@ -56,7 +56,10 @@ export function startSearch(form) {
   }
 
   form.addEventListener("input", asked);
-  form.addEventListener("submit", (event) => event.preventDefault());
+  form.addEventListener("submit", (event) => {
+    event.preventDefault();
+    asked();
+  });
   form.addEventListener("reset", () => setTimeout(asked));
   more.addEventListener("click", () => {
     shown += PAGE;
@@ -67,19 +70,21 @@ export function startSearch(form) {
     void show();
   });
   fillForm(form, location.hash.slice(1));
-  if (matchMedia("(min-width: 761px)").matches || location.hash.length > 1) openFilters(form);
+  toggleFilters(form);
   if (location.hash.length > 1) void show();
 }
 
-/** @param {HTMLFormElement} form */
-function openFilters(form) {
-  const filters = form.querySelector("details");
-  if (filters && [...form.querySelectorAll(".chip input")].some(isChecked)) filters.open = true;
-}
-
-/** @param {Element} input */
-function isChecked(input) {
-  return input instanceof HTMLInputElement && input.checked;
+/**
+ * On small screens the filters are folded; this button opens them.
+ *
+ * @param {HTMLFormElement} form
+ */
+function toggleFilters(form) {
+  const button = form.querySelector(".filters-toggle");
+  button?.addEventListener("click", () => {
+    const open = button.getAttribute("aria-expanded") !== "true";
+    button.setAttribute("aria-expanded", String(open));
+  });
 }
 
 /**
