@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from ..mesh import HEXAHEDRON, Floats, Mesh
-from . import face_angles, hexahedron, hexahedron_shape, nodal
+from ..mesh import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE, Floats, Mesh
+from . import face_angles, hexahedron, hexahedron_shape, nodal, other_kinds
 from .arena import BLOCK
 from .block import HexahedronBlock
 from .metrics import METRICS
@@ -16,27 +16,70 @@ from .sizes import NEEDS, with_sizes
 
 Kernels = dict[str, Callable[[Any, Floats], None]]
 
-HEXAHEDRON_KERNELS: Kernels = {
-    "diagonal": hexahedron.diagonal,
-    "distortion": hexahedron_shape.distortion,
-    "edge_ratio": hexahedron.edge_ratio,
-    "jacobian": hexahedron.jacobian,
-    "max_edge_ratio": hexahedron.max_edge_ratio,
-    "max_aspect_frobenius": hexahedron_shape.max_aspect_frobenius,
-    "mean_aspect_frobenius": hexahedron_shape.mean_aspect_frobenius,
-    "oddy": hexahedron_shape.oddy,
-    "scaled_jacobian": hexahedron.scaled_jacobian,
-    "shape": hexahedron_shape.shape,
-    "shear": hexahedron.shear,
-    "skew": hexahedron.skew,
-    "stretch": hexahedron.stretch,
-    "taper": hexahedron.taper,
-    "volume": hexahedron_shape.volume,
-    "dimension": hexahedron_shape.dimension,
-    "equiangle_skew": face_angles.equiangle_skew,
-    "nodal_jacobian_ratio": nodal.nodal_jacobian_ratio,
-    "corner_sum": hexahedron_shape.corner_sum,
+KERNELS: dict[int, tuple[Callable[[], Any], Kernels]] = {
+    HEXAHEDRON: (
+        HexahedronBlock,
+        {
+            "diagonal": hexahedron.diagonal,
+            "distortion": hexahedron_shape.distortion,
+            "edge_ratio": hexahedron.edge_ratio,
+            "jacobian": hexahedron.jacobian,
+            "max_edge_ratio": hexahedron.max_edge_ratio,
+            "max_aspect_frobenius": hexahedron_shape.max_aspect_frobenius,
+            "mean_aspect_frobenius": hexahedron_shape.mean_aspect_frobenius,
+            "oddy": hexahedron_shape.oddy,
+            "scaled_jacobian": hexahedron.scaled_jacobian,
+            "shape": hexahedron_shape.shape,
+            "shear": hexahedron.shear,
+            "skew": hexahedron.skew,
+            "stretch": hexahedron.stretch,
+            "taper": hexahedron.taper,
+            "volume": hexahedron_shape.volume,
+            "dimension": hexahedron_shape.dimension,
+            "equiangle_skew": face_angles.equiangle_skew,
+            "nodal_jacobian_ratio": nodal.nodal_jacobian_ratio,
+            "corner_sum": hexahedron_shape.corner_sum,
+        },
+    ),
+    TETRAHEDRON: (
+        other_kinds.tetrahedra,
+        {
+            "distortion": other_kinds.tetrahedron_distortion,
+            "edge_ratio": other_kinds.edge_ratio,
+            "equiangle_skew": other_kinds.tetrahedron_equiangle_skew,
+            "jacobian": other_kinds.jacobian,
+            "scaled_jacobian": other_kinds.tetrahedron_scaled_jacobian,
+            "shape": other_kinds.tetrahedron_shape,
+            "volume": other_kinds.tetrahedron_volume,
+            "corner_sum": other_kinds.tetrahedron_corner_sum,
+        },
+    ),
+    PYRAMID: (
+        other_kinds.pyramids,
+        {
+            "equiangle_skew": other_kinds.pyramid_equiangle_skew,
+            "jacobian": other_kinds.jacobian,
+            "scaled_jacobian": other_kinds.pyramid_scaled_jacobian,
+            "shape": other_kinds.pyramid_shape,
+            "volume": other_kinds.pyramid_volume,
+        },
+    ),
+    WEDGE: (
+        other_kinds.wedges,
+        {
+            "distortion": other_kinds.wedge_distortion,
+            "edge_ratio": other_kinds.edge_ratio,
+            "equiangle_skew": other_kinds.wedge_equiangle_skew,
+            "jacobian": other_kinds.jacobian,
+            "max_aspect_frobenius": other_kinds.wedge_max_aspect_frobenius,
+            "mean_aspect_frobenius": other_kinds.wedge_mean_aspect_frobenius,
+            "scaled_jacobian": other_kinds.wedge_scaled_jacobian,
+            "shape": other_kinds.wedge_shape,
+            "volume": other_kinds.wedge_volume,
+        },
+    ),
 }
+"""For each kind of cell: what gathers a block of them, and the kernel of each metric."""
 
 
 def quality(mesh: Mesh, metric: str) -> Floats:
@@ -83,9 +126,11 @@ def quality_many(mesh: Mesh, metrics: Iterable[str] = METRICS) -> dict[str, Floa
             raise KeyError(f"no metric {metric!r}; there are {', '.join(METRICS)}")
     needed = dict.fromkeys(need for metric in wanted for need in NEEDS.get(metric, (metric,)))
     out = {metric: np.full(mesh.cell_count, np.nan) for metric in needed}
-    kernels = {metric: kernel for metric, kernel in HEXAHEDRON_KERNELS.items() if metric in needed}
-    cells = np.flatnonzero(mesh.kinds == HEXAHEDRON)
-    _run(mesh, cells, HexahedronBlock(), kernels, out)
+    for kind, (make_block, of_kind) in KERNELS.items():
+        cells = np.flatnonzero(mesh.kinds == kind)
+        kernels = {metric: kernel for metric, kernel in of_kind.items() if metric in needed}
+        if cells.size and kernels:
+            _run(mesh, cells, make_block(), kernels, out)
     with_sizes(mesh, out, wanted)
     return {metric: out[metric] for metric in wanted}
 

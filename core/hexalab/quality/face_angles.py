@@ -107,24 +107,35 @@ def _with_short_edges(points: Floats) -> Floats:
     for quad in QUADS:
         corners = [points[:, corner] for corner in quad]
         triangle = (corners[2] == corners[3]).all(axis=0)
-        np.maximum(out, np.where(triangle, _polygon(corners[:3]), _polygon(corners)), out=out)
+        np.maximum(out, np.where(triangle, _as_quad(corners[:3]), polygon_skew(corners)), out=out)
     return out
 
 
-def _polygon(corners: list[Floats]) -> Floats:
+def polygon_skew(corners: list[Floats]) -> Floats:
+    """Equiangle skew of triangles (by 60 degrees) or quadrilaterals (by 90 degrees), corners (3, m) each."""
+    widest, narrowest, shortest = _angles(corners)
+    right = 60 if len(corners) == 3 else 90
+    skew = np.maximum((widest - right) / (180 - right), (right - narrowest) / right)
+    return np.where(shortest <= TOLERANCE, -1 if right == 90 else 1, skew)
+
+
+def _as_quad(corners: list[Floats]) -> Floats:
+    """Skew of a triangle that stands for a quadrilateral, by right angles."""
+    widest, narrowest, shortest = _angles(corners)
+    return np.where(shortest == 0, 1, np.maximum((widest - 90) / 90, (90 - narrowest) / 90))
+
+
+def _angles(corners: list[Floats]) -> tuple[Floats, Floats, Floats]:
+    """Widest (360 minus it where not convex) and narrowest angle in degrees, length of the shortest edge."""
     count = len(corners)
     edges = [corners[(i + 1) % count] - corners[i] for i in range(count)]
     lengths = [np.sqrt((edge * edge).sum(axis=0)) for edge in edges]
-    angles = []
-    for i in range(count):
-        cosine = -(edges[i - 1] * edges[i]).sum(axis=0) / (lengths[i - 1] * lengths[i])
-        angles.append(np.degrees(np.arccos(np.clip(cosine, -1, 1))))
-    widest, narrowest = np.max(angles, axis=0), np.min(angles, axis=0)
-    shortest = np.min(lengths, axis=0)
-    if count == 3:
-        return np.where(shortest == 0, 1, np.maximum((widest - 90) / 90, (90 - narrowest) / 90))
-    normals = [np.cross(edges[i - 1], edges[i], axis=0) for i in range(4)]
-    centre = sum(normals)
-    turned = np.min([(centre * normal).sum(axis=0) for normal in normals], axis=0) < 0
-    widest = np.where(turned, 360 - widest, widest)
-    return np.where(shortest <= TOLERANCE, -1, np.maximum((widest - 90) / 90, (90 - narrowest) / 90))
+    cosines = [-(edges[i - 1] * edges[i]).sum(axis=0) / (lengths[i - 1] * lengths[i]) for i in range(count)]
+    angles = np.degrees(np.arccos(np.clip(cosines, -1, 1)))
+    widest, narrowest = angles.max(axis=0), angles.min(axis=0)
+    if count == 4:
+        normals = [np.cross(edges[i - 1], edges[i], axis=0) for i in range(4)]
+        centre = np.sum(normals, axis=0)
+        turned = np.min([(centre * normal).sum(axis=0) for normal in normals], axis=0) < 0
+        widest = np.where(turned, 360 - widest, widest)
+    return widest, narrowest, np.min(lengths, axis=0)
