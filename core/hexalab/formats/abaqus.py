@@ -18,7 +18,7 @@ from .ids import Numbering
 from .source import Source
 from .text import Text
 
-KEYWORD = re.compile(rb"\*[^\r\n]*(?:,[ \t]*\r?\n[^*\r\n][^\r\n]*)*")
+KEYWORD = re.compile(rb"\*[^\r\n]*(?:(?<=,)[ \t]*\r?\n[ \t]*[A-Za-z][^\r\n]*)*")
 VOLUME = re.compile(r"(?:C3D|DC3D|DCC3D|AC3D|EC3D|Q3D|COH3D|GK3D|SC|CSS)(\d+)[A-Z]*")
 COMMAS = bytes.maketrans(b",", b" ")
 
@@ -64,6 +64,8 @@ class Reader:
 
     def read(self) -> Mesh:
         found = [match for match in KEYWORD.finditer(self.keywords) if self.begins_line(match.start())]
+        if not found:
+            raise self.text.error("the file has no keyword such as *NODE", 0)
         ends = [match.start() for match in found[1:]] + [len(self.keywords)]
         for match, end in zip(found, ends, strict=True):
             words = [word.strip() for word in match[0].decode("latin-1").upper().split(",")]

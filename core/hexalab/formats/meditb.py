@@ -75,8 +75,8 @@ class Reader:
             following = self.integer(self.place, "a section's end")
             if following and not begin + 4 + int(self.place[1]) <= following <= len(self.source.data):
                 raise self.error(
-                    f"section {section} says that the next one begins at byte {following}, expected one behind "
-                    f"it in the file's {len(self.source.data)} bytes",
+                    f"section {section} says that the next begins at byte {following}, expected one behind it "
+                    f"in the file's {len(self.source.data)} bytes",
                     begin,
                 )
             self.section(section)

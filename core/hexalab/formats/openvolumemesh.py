@@ -100,8 +100,7 @@ class Reader:
         text = self.text
         count = text.count(what, 2)
         start = text.position
-        end = text.data.find(b"Polyhedra" if what == "faces" else b"Prop", start)
-        end = len(text.data) if end < 0 else end
+        end = self.next_word(b"Polyhedra" if what == "faces" else b"Prop")
         if what == "cells" and end < len(text.data):
             end = max(text.data.rfind(b"\n", start, end), text.data.rfind(b"\r", start, end)) + 1 or end
         values = within_int32(text.between(start, end, np.intp, what.capitalize())).astype(
@@ -165,11 +164,16 @@ class Reader:
             arrays = self.out.point_data if on == "vprop" else self.out.cell_data
             arrays[free_name(arrays, name)] = values if on == "vprop" else values[kept]
 
+    def next_word(self, word: bytes) -> int:
+        """Where the word occurs next, in its usual spellings; the file's end if it does not."""
+        text = self.text
+        found = (text.data.find(w, text.position) for w in (word, word.lower(), word.upper()))
+        return min((at for at in found if at >= 0), default=len(text.data))
+
     def skip_property(self) -> None:
         """Go to the next line that begins a property."""
         text = self.text
-        at = text.data.find(b"Prop", text.position)
-        if at < 0:
-            text.position = len(text.data)
-            return
-        text.position = max(text.position, text.data.rfind(b"\n", text.position, at) + 1)
+        at = self.next_word(b"Prop")
+        if at < len(text.data):
+            at = max(text.position, text.data.rfind(b"\n", text.position, at) + 1)
+        text.position = at

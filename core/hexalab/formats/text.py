@@ -145,8 +145,7 @@ class Text:
             piece = data[self.position : end]
             values, stopped = parse(piece, dtype)
             if stopped and found + len(values) < count and dtype == np.float64:
-                piece = FORTRAN_EXPONENT.sub(b"e", piece)
-                values, stopped = parse(piece, dtype)
+                values, stopped = parse(FORTRAN_EXPONENT.sub(b"e", piece), dtype)
             if (stopped or end == len(data)) and found + len(values) < count:
                 raise self.interruption(piece, dtype, what, found, count)
             values = values[: count - found]
@@ -201,6 +200,8 @@ class Text:
             cut = min(piece_end(self.data, self.position, PIECE), end)
             piece = self.data[self.position : cut]
             values, stopped = parse(piece, dtype)
+            if stopped and dtype == np.float64:
+                values, stopped = parse(FORTRAN_EXPONENT.sub(b"e", piece), dtype)
             if stopped:
                 raise self.interruption(piece, dtype, what, found, -1)
             arrays.append(values)
@@ -289,7 +290,9 @@ def word_span(piece: bytes, count: int) -> tuple[int, int] | None:
 
 def is_number(word: bytes, dtype: DTypeLike) -> bool:
     """Whether all of the word is one number."""
-    return bool((NUMBER if dtype == np.float64 else INTEGER).fullmatch(word))
+    if dtype == np.float64:
+        return bool(NUMBER.fullmatch(FORTRAN_EXPONENT.sub(b"e", word)))
+    return bool(INTEGER.fullmatch(word))
 
 
 def shown(word: bytes) -> str:

@@ -101,8 +101,7 @@ class Values:
     def skip_strings(self, count: int) -> None:
         """Go behind `count` strings: lines in ASCII, else each behind its length (vtkDataWriter)."""
         text, data = self.text, self.text.data
-        if not self.binary:
-            text.line()
+        text.line()
         for _ in range(count):
             if text.position >= len(data):
                 raise text.error(f"the file ends in an array of {count} strings")

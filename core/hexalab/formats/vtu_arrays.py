@@ -57,10 +57,7 @@ class Arrays:
         if header not in ("UInt32", "UInt64"):
             raise self.error(file, f"header_type is ‘{header}’, expected UInt32 or UInt64")
         self.header = np.dtype(self.order + TYPES[header])
-        compressor = given.get("compressor", "")
-        if compressor not in ("", ZLIB):
-            raise self.error(file, f"the data are compressed by {compressor}; only {ZLIB} can be read")
-        self.compressed = compressor == ZLIB
+        self.compressor = given.get("compressor", "")
         self.appended_base64 = False
         self.appended_begin = -1
         if appended is not None:
@@ -88,8 +85,10 @@ class Arrays:
         form = element.attributes.get("format", "ascii")
         if form == "ascii":
             return self.ascii(element, dtype, what)
+        if self.compressor not in ("", ZLIB):
+            raise self.error(element, f"{what} are compressed by {self.compressor}; only {ZLIB} can be read")
         if form == "binary":
-            data = self.decoded(self.source.data[element.begin : element.end], element, what)
+            data = self.decoded(self.source.data[element.begin : self.content_end(element)], element, what)
         elif form == "appended":
             data = self.appended(element, what)
         else:
@@ -100,10 +99,16 @@ class Arrays:
             )
         return np.frombuffer(data, dtype)
 
+    def content_end(self, element: Element) -> int:
+        """Where the element's own content ends: at its first child, if any (VTK puts InformationKey
+        there)."""
+        end = self.source.data.find(b"<", element.begin, element.end)
+        return element.end if end < 0 else end
+
     def ascii(self, element: Element, dtype: np.dtype[np.generic], what: str) -> Array:
         """Numbers written out."""
         parsed = np.float64 if dtype.kind == "f" else np.int64
-        values = Text(self.source).between(element.begin, element.end, parsed, what)
+        values = Text(self.source).between(element.begin, self.content_end(element), parsed, what)
         return values.astype(dtype.newbyteorder("="), copy=False)
 
     def appended(self, element: Element, what: str) -> bytes | memoryview:
@@ -122,7 +127,7 @@ class Arrays:
             return self.decoded(self.source.data[start:end], element, what)
         raw = memoryview(self.source.data)[start:]
         head = self.header.itemsize
-        if not self.compressed:
+        if not self.compressor:
             (size,) = self.integers(raw, 1, element, what)
             return self.exactly(raw[head:], size, element, what)
         sizes = self.block_sizes(raw, element, what)
@@ -132,7 +137,7 @@ class Arrays:
         """The bytes of an array in base64; its header is encoded by itself or together with the data."""
         text = text.translate(None, b" \t\r\n")
         head = self.header.itemsize
-        if not self.compressed:
+        if not self.compressor:
             units = (head + 2) // 3 * 4
             apart = b"=" in text[:units]
             first = self.base64(text[:units], element, what)
@@ -144,6 +149,8 @@ class Arrays:
             return self.exactly(memoryview(whole)[head:], size, element, what)
         first = self.base64(text[: (3 * head + 2) // 3 * 4], element, what)
         (count,) = self.integers(memoryview(first), 1, element, what)
+        if not count:
+            return b""
         units = ((3 + count) * head + 2) // 3 * 4
         if units > len(text) + 4:
             raise self.error(

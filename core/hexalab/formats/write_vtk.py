@@ -45,6 +45,7 @@ def write(mesh: Mesh) -> bytes:
         ("POINT_DATA", mesh.point_data, mesh.vertex_count),
         ("CELL_DATA", mesh.cell_data, mesh.cell_count),
     ):
+        data = {name: values for name, values in data.items() if values.size}
         if data:
             parts.append(f"{section} {count}\nFIELD FieldData {len(data)}\n".encode())
         for name, values in data.items():

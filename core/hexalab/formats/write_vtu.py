@@ -26,6 +26,8 @@ def write(mesh: Mesh) -> bytes:
     for section, data in (("PointData", mesh.point_data), ("CellData", mesh.cell_data)):
         parts.append(f"<{section}>\n".encode())
         for name, values in data.items():
+            if not values.size:
+                continue
             parts += array(name, values, values.shape[1] if values.ndim == 2 else 1)
         parts.append(f"</{section}>\n".encode())
     parts += [b"<Points>\n", *array("Points", mesh.coordinates.T, 3), b"</Points>\n<Cells>\n"]

@@ -131,10 +131,9 @@ def test_R1_longer_than_one_piece() -> None:
 
 
 def test_R1_higher_order_cells_keep_their_corners() -> None:
-    row = " ".join(str(i) for i in [1, 2, 3, 4, 5, 6, 7, 8] + [1] * 19)
-    mesh = read_bytes(
-        CUBE.replace("Hexahedra\n1\n1 2 3 4 5 6 7 8 0", f"HexahedraQ2\n1\n{row} 0").encode(), "x.mesh"
-    )
+    row = "1 2 3 4 5 6 7 8" + " 1" * 19
+    text = CUBE.replace("Hexahedra\n1\n1 2 3 4 5 6 7 8 0", f"HexahedraQ2\n1\n{row} 0")
+    mesh = read_bytes(text.encode(), "x.mesh")
     check(mesh, UNIT_CUBE)
     assert "higher order" in mesh.notes[0]
 
