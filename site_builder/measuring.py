@@ -96,8 +96,11 @@ def _valences(key: str, value: Any) -> Any:
     return {int(v): n for v, n in value.items()} if key.endswith("_edge_valence") else value
 
 
-def _validity(mesh: hexalab.Mesh) -> dict[str, int]:
-    from hexalab.quality.validity import certify
+def _validity(mesh: hexalab.Mesh) -> dict[str, int] | None:
+    try:
+        from hexalab.quality.validity import certify
+    except ModuleNotFoundError:
+        return None
 
     counts = np.bincount(certify(mesh).state, minlength=3)
     return {word: int(count) for word, count in zip(("invalid", "valid", "undecided"), counts, strict=True)}
