@@ -6,7 +6,7 @@ import { TimeBudget } from "./time_budget.js";
 const FADED = 48;
 
 /** A new picture is worth drawing when the number of directions has grown by this. */
-const GROWTH = 1.5;
+const GROWTH = 2;
 
 /**
  * Chooses and feeds the light of the surface: which terms are gathered, when, and how they are mixed in its shader.

@@ -1,19 +1,20 @@
 import {
-  BufferAttribute,
+  BufferGeometry,
+  DataTexture,
+  DoubleSide,
+  FloatType,
   GLSL3,
-  InstancedBufferAttribute,
-  InstancedBufferGeometry,
-  InstancedInterleavedBuffer,
-  InterleavedBufferAttribute,
   Mesh,
+  RGFormat,
   RawShaderMaterial,
+  RedIntegerFormat,
+  UnsignedByteType,
   Vector2,
   Vector4,
 } from "three";
 import { componentsOf } from "./colour.js";
-import { LINES_FRAGMENT, LINES_VERTEX } from "./lines_shader.js";
-
-const RIBBON = new Float32Array([0, -1, 1, -1, 1, 1, 0, 1]);
+import { COLUMNS, LINES_FRAGMENT, LINES_VERTEX } from "./lines_shader.js";
+import { flatQuadIndex } from "./quad_index.js";
 
 /**
  * Line segments, each of one of at most eight styles (colour and ink).
@@ -38,6 +39,8 @@ export class LinesLayer {
       vertexShader: LINES_VERTEX,
       fragmentShader: LINES_FRAGMENT,
       uniforms: {
+        ends: { value: /** @type {DataTexture | null} */ (null) },
+        rows: { value: /** @type {DataTexture | null} */ (null) },
         viewport: { value: new Vector2(1, 1) },
         width: { value: 1 },
         pull: { value: 0 },
@@ -48,9 +51,10 @@ export class LinesLayer {
       transparent: true,
       depthTest: !seeThrough,
       depthWrite: false,
-      side: 2,
+      side: DoubleSide,
+      forceSinglePass: true,
     });
-    this.mesh = new Mesh(new InstancedBufferGeometry(), this.#material);
+    this.mesh = new Mesh(new BufferGeometry(), this.#material);
     this.mesh.frustumCulled = false;
     this.mesh.visible = false;
   }
@@ -64,20 +68,32 @@ export class LinesLayer {
    * @param {Uint8Array | null} styles (N) row of the styles; null: all the first
    */
   set(ends, styles) {
-    this.mesh.geometry.dispose();
-    const geometry = new InstancedBufferGeometry();
+    this.#release();
     this.#count = ends.length / 6;
-    const rows = styles && styles.length === this.#count ? styles : new Uint8Array(this.#count);
-    const buffer = new InstancedInterleavedBuffer(ends, 6, 1);
-    geometry.setIndex(new BufferAttribute(new Uint16Array([0, 1, 2, 0, 2, 3]), 1));
-    geometry.setAttribute("corner", new BufferAttribute(RIBBON, 2));
-    geometry.setAttribute("start", new InterleavedBufferAttribute(buffer, 3, 0));
-    geometry.setAttribute("end", new InterleavedBufferAttribute(buffer, 3, 3));
-    const style = new InstancedBufferAttribute(rows, 1);
-    style.gpuType = 1013; // IntType: read as an integer by the shader
-    geometry.setAttribute("style", style);
-    geometry.instanceCount = this.#count;
+    if (this.#count === 0) return;
+    const height = Math.ceil(this.#count / COLUMNS);
+    const whole = new Float32Array(height * COLUMNS * 6);
+    whole.set(ends);
+    const rows = new Uint8Array(height * COLUMNS);
+    if (styles && styles.length === this.#count) rows.set(styles);
+    const { uniforms } = this.#material;
+    uniforms.ends.value = new DataTexture(whole, 3 * COLUMNS, height, RGFormat, FloatType);
+    uniforms.rows.value = new DataTexture(rows, COLUMNS, height, RedIntegerFormat, UnsignedByteType);
+    uniforms.rows.value.internalFormat = "R8UI";
+    uniforms.ends.value.needsUpdate = uniforms.rows.value.needsUpdate = true;
+    const geometry = new BufferGeometry();
+    geometry.setIndex(flatQuadIndex(this.#count));
+    geometry.setDrawRange(0, 6 * this.#count);
     this.mesh.geometry = geometry;
+  }
+
+  #release() {
+    this.mesh.geometry.setIndex(null); // shared with the surface
+    this.mesh.geometry.dispose();
+    const { ends, rows } = this.#material.uniforms;
+    ends.value?.dispose();
+    rows.value?.dispose();
+    ends.value = rows.value = null;
   }
 
   /** @param {number} opacity */
@@ -97,7 +113,7 @@ export class LinesLayer {
   }
 
   dispose() {
-    this.mesh.geometry.dispose();
+    this.#release();
     this.#material.dispose();
   }
 }

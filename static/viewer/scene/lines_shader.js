@@ -1,15 +1,20 @@
+/** Lines in a row of the textures that hold them. */
+export const COLUMNS = 680;
+
 /**
  * Line segments as ribbons of constant width on the screen: at least a pixel, smooth at the rim, pulled towards the eye by
- * the depth that half their width may cover, so that they do not fight with the surface they lie on.
+ * the depth that half their width may cover, so that they do not fight with the surface they lie on. Their ends are fetched
+ * from a texture, three texels of two numbers each: drawing each line as an instance is far slower on software GPUs.
  */
 export const LINES_VERTEX = `
+#define COLUMNS ${COLUMNS}
 precision highp float;
 precision highp int;
+precision highp sampler2D;
+precision highp usampler2D;
 
-in vec2 corner;
-in vec3 start;
-in vec3 end;
-in uint style;
+uniform sampler2D ends;
+uniform usampler2D rows;
 
 uniform mat4 modelViewMatrix;
 uniform mat4 projectionMatrix;
@@ -30,6 +35,14 @@ vec4 towardsEye(vec3 place) {
 }
 
 void main() {
+  int line = gl_VertexID >> 2;
+  vec2 corner = vec2((gl_VertexID + 1 & 2) >> 1, (gl_VertexID & 2) - 1);
+  ivec2 at = ivec2(line % COLUMNS, line / COLUMNS);
+  vec2 xy = texelFetch(ends, ivec2(3 * at.x, at.y), 0).xy;
+  vec2 zx = texelFetch(ends, ivec2(3 * at.x + 1, at.y), 0).xy;
+  vec2 yz = texelFetch(ends, ivec2(3 * at.x + 2, at.y), 0).xy;
+  vec3 start = vec3(xy, zx.x);
+  vec3 end = vec3(zx.y, yz);
   vec4 a = towardsEye(start);
   vec4 b = towardsEye(end);
   float da = a.z + a.w;
@@ -49,7 +62,7 @@ void main() {
   vec3 place = corner.x < 0.5 ? pa : pb;
   place.xy += across * corner.y * reach * 2.0 / viewport;
   vAcross = corner.y * reach;
-  vStyle = styles[style];
+  vStyle = styles[texelFetch(rows, at, 0).r];
   // Edges closer than some pixels would blacken a fine mesh: their ink thins out with their length.
   vStyle.a *= mix(1.0, clamp((length + 1.0) / 7.0, 0.2, 1.0), fade);
   gl_Position = vec4(place, 1.0);
