@@ -64,6 +64,7 @@ export class App {
     });
     client.addEventListener("restarted", () => this.#restarted());
     scene.on("camera", (/** @type {any} */ camera) => store.set({ camera }, { undo: "camera" }));
+    scene.on("cameraend", () => store.seal());
     scene.on("contextlost", () =>
       messages.say(
         "warning",

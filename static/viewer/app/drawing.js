@@ -118,9 +118,8 @@ export class Drawing {
     const { items } = this.#store.status.filters.planes;
     const index = this.#facts.get("plane") ?? 0;
     const plane = items[Math.min(index, items.length - 1)];
-    const range = this.#facts.get("planeRanges")?.[index];
-    if (!plane || !range || !this.#facts.get("planeShown")) return this.#scene.showPlane(null);
-    const offset = range[0] + plane.offset * (range[1] - range[0]);
-    this.#scene.showPlane({ normal: normalised(plane.normal), offset, extent: 1 });
+    if (!plane || !this.#facts.get("planeShown")) return this.#scene.showPlane(null);
+    const extent = this.#facts.get("planeRanges")?.[index] ?? undefined;
+    this.#scene.showPlane({ normal: normalised(plane.normal), offset: plane.offset, extent });
   }
 }

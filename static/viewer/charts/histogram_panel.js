@@ -11,7 +11,7 @@ import { marks } from "./histogram_svg.js";
 /** @typedef {import("../widgets/bind.js").Context} Context */
 
 /** Heights in pixels by orientation. */
-const HEIGHTS = { horizontal: 132, vertical: 280 };
+const HEIGHTS = { horizontal: 120, vertical: 280 };
 
 /** @param {string} map @returns {(position: number) => string} */
 export function mapColours(map) {

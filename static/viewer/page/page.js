@@ -37,6 +37,7 @@ export class Page {
     document.body.append(...Object.values(this.dialogs));
     pictureInWords(context, canvas);
     followSize(context, canvas);
+    followModality();
   }
 }
 
@@ -53,4 +54,11 @@ function followSize({ app }, canvas) {
   };
   new ResizeObserver(resize).observe(canvas);
   window.addEventListener("resize", resize);
+}
+
+/** The picture takes the focus when it is clicked; it shows that only to those who work by keyboard. */
+function followModality() {
+  const pointing = (/** @type {boolean} */ on) => () => document.body.classList.toggle("pointing", on);
+  window.addEventListener("pointerdown", pointing(true), true);
+  window.addEventListener("keydown", pointing(false), true);
 }

@@ -44,14 +44,14 @@ export function catalogueChooser(context) {
     sources.value = source?.slug ?? "";
     fill(meshes, meshOptions(source));
     meshes.value = entry && entry.source.slug === source?.slug ? entry.mesh.slug : "";
-    reference.replaceChildren(...(entry ? [referenceOf(entry.source)] : []));
+    reference.replaceChildren(...(entry ? shortReference(entry.source) : []));
   });
   return element;
 }
 
 /** @param {any} catalogue @param {string} local name of the file that is open, if it is not the catalogue's */
 function sourceOptions(catalogue, local) {
-  const first = { value: "", name: local ? "Local file" : "Choose a source…" };
+  const first = { value: "", name: local ? `File: ${local}` : "Choose a source…" };
   const rows = (catalogue?.sources ?? []).map((/** @type {any} */ source) => ({
     value: source.slug,
     name: `${source.year ? `${source.year} · ` : ""}${source.title}`,
@@ -69,8 +69,28 @@ function meshOptions(source) {
 }
 
 /** @param {any} source */
+function authorsOf({ authors }) {
+  return Array.isArray(authors) ? authors.join(", ") : (authors ?? "");
+}
+
+/** Authors in one line, where and when, links. @param {any} source */
+function shortReference(source) {
+  const authors = authorsOf(source);
+  const place = [source.venue, source.year].filter(Boolean).join(", ");
+  return [
+    authors ? h("p", { class: "reference-line quiet", title: authors }, authors) : h("p"),
+    h(
+      "p",
+      { class: "links" },
+      h("span", { class: "reference-line quiet", title: place }, place),
+      ...linksOf(source),
+    ),
+  ];
+}
+
+/** The whole reference. @param {any} source */
 export function referenceOf(source) {
-  const authors = Array.isArray(source.authors) ? source.authors.join(", ") : source.authors;
+  const authors = authorsOf(source);
   const place = [source.venue, source.year].filter(Boolean).join(", ");
   return h(
     "div",
@@ -86,7 +106,7 @@ function linksOf(source) {
   const links = [
     ["DOI", source.doi && `https://doi.org/${source.doi}`],
     ["PDF", source.pdf],
-    ["Web page", source.web],
+    ["Web", source.web],
   ];
   return links
     .filter(([, address]) => /^https?:\/\//.test(address ?? ""))

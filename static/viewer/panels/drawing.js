@@ -1,3 +1,5 @@
+import { typed } from "../state/numbers.js";
+
 /** @typedef {import("../widgets/bind.js").Context} Context */
 
 /** The slider of each separation mode: which setting it moves. @type {Record<string, { path: string, name: string, range: readonly [number, number, number] }>} */
@@ -82,8 +84,8 @@ export const drawing = {
       label: "",
       status: ["colour.by"],
       items: [
-        { path: "colour.outside", name: "Out" },
-        { path: "colour.inside", name: "In" },
+        { path: "colour.outside", name: "Outside" },
+        { path: "colour.inside", name: "Inside" },
       ],
       hidden: (context) => colouredBy(context) !== "sides",
     },
@@ -100,30 +102,17 @@ export const drawing = {
         { value: "red_blue", name: "Red-Blue" },
       ],
       hidden: (context) => !["quality", "attribute"].includes(colouredBy(context)),
-    },
-    {
-      kind: "numbers",
-      id: "colour-range",
-      label: "Range",
-      hint: "Values at the ends of the map; empty: the mesh's own",
-      status: ["colour.by", "colour.range"],
-      facts: ["colour"],
-      items: [rangeField(0, "low"), rangeField(1, "high")],
-      hidden: (context) => !["quality", "attribute"].includes(colouredBy(context)),
-    },
-    {
-      kind: "slider",
-      id: "silhouette",
-      label: "Silhouette",
-      hint: "The outline of what is hidden: none, flat, shaded",
-      path: "silhouette",
-      facts: ["shown", "summary"],
-      range: [0, 1, 0.05],
-      digits: 2,
-      why: ({ facts }) => {
-        const shown = facts.get("shown")?.cells;
-        return shown !== undefined && shown === facts.get("summary")?.cells ? "nothing is hidden" : "";
-      },
+      more: [
+        {
+          kind: "numbers",
+          id: "colour-range",
+          label: "Range",
+          hint: "Values at the ends of the map; empty: the mesh's own",
+          status: ["colour.by", "colour.range"],
+          facts: ["colour"],
+          items: [rangeField(0, "low"), rangeField(1, "high")],
+        },
+      ],
     },
   ],
 };
@@ -137,7 +126,7 @@ function rangeField(end, name) {
   return {
     name,
     optional: true,
-    placeholder: name,
+    placeholder: (/** @type {Context} */ context) => typed(own(context)[end]),
     read: (/** @type {Context} */ { store }) => store.status.colour.range?.[end] ?? null,
     write: (/** @type {number | null} */ value, /** @type {Context} */ context) => {
       if (value === null) return { colour: { range: null } };

@@ -1,5 +1,5 @@
 import { clear, formatCells, isClear, isolate, parseCells } from "../state/picking.js";
-import { buttons, more } from "../widgets/controls.js";
+import { buttons } from "../widgets/controls.js";
 
 /**
  * @typedef {import("../widgets/bind.js").Context} Context @typedef {import("../widgets/bind.js").Control} Control
@@ -46,28 +46,29 @@ export const pickingControls = [
       toolButton("Undig", "undig", "A click shows the hidden cell behind a face (U, or hold shift)"),
       toolButton("Isolate", "isolate", "A click hides all other cells (J)"),
     ],
+    more: [
+      byNumber("hidden", "Hidden"),
+      byNumber("shown", "Shown"),
+      buttons({
+        label: "",
+        status: ["filters.picking"],
+        items: [
+          {
+            name: "Isolate the cells in “Shown”",
+            text: "Isolate shown",
+            disabled: (context) => !pickingOf(context).shown.length,
+            press: (context) =>
+              context.store.set({ filters: { picking: isolate(pickingOf(context).shown) } }),
+          },
+          {
+            name: "Clear what was picked",
+            text: "Clear",
+            icon: "clear",
+            disabled: (context) => isClear(pickingOf(context)),
+            press: (context) => context.store.set({ filters: { picking: clear() } }),
+          },
+        ],
+      }),
+    ],
   }),
-  more("picking-more", "Picked cells by number", [
-    byNumber("hidden", "Hidden"),
-    byNumber("shown", "Shown"),
-    buttons({
-      label: "",
-      status: ["filters.picking"],
-      items: [
-        {
-          name: "Isolate the cells in “Shown”",
-          text: "Isolate shown",
-          disabled: (context) => !pickingOf(context).shown.length,
-          press: (context) => context.store.set({ filters: { picking: isolate(pickingOf(context).shown) } }),
-        },
-        {
-          name: "Clear what was picked",
-          text: "Clear",
-          icon: "clear",
-          disabled: (context) => isClear(pickingOf(context)),
-          press: (context) => context.store.set({ filters: { picking: clear() } }),
-        },
-      ],
-    }),
-  ]),
 ];

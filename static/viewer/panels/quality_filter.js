@@ -97,8 +97,8 @@ export const qualityFilterControls = [
     facts: FACTS,
     hidden: (context) => !isTwoSided(context),
     items: [
-      { ...endField("minimum"), optional: true, placeholder: "lowest" },
-      { ...endField("maximum"), optional: true, placeholder: "highest" },
+      { ...endField("minimum"), optional: true, placeholder: () => "lowest" },
+      { ...endField("maximum"), optional: true, placeholder: () => "highest" },
     ],
   },
   {

@@ -1,5 +1,5 @@
 import { anotherPlane, fromView, inverted, withPlane } from "../state/planes.js";
-import { buttons, more } from "../widgets/controls.js";
+import { buttons } from "../widgets/controls.js";
 
 /**
  * @typedef {import("../widgets/bind.js").Context} Context @typedef {import("../widgets/bind.js").Control} Control
@@ -105,7 +105,7 @@ export const sliceControls = [
     why: (context) => (planeOf(context).enabled ? "" : "this plane is switched off"),
   },
   buttons({
-    label: "",
+    label: "Plane",
     ...WATCHED,
     items: [
       fromViewButton,
@@ -119,42 +119,42 @@ export const sliceControls = [
         press: (context) => context.store.set(changed(context, inverted(planeOf(context)))),
       },
     ],
+    more: [
+      {
+        kind: "choice",
+        id: "plane-index",
+        label: "Plane",
+        ...WATCHED,
+        options: (context) =>
+          planesOf(context).planes.map((_, at) => ({ value: String(at), name: `Plane ${at + 1}` })),
+        read: (context) => String(planesOf(context).index),
+        write: (index, { facts }) => void facts.set({ plane: Number(index) }),
+      },
+      buttons({
+        label: "",
+        ...WATCHED,
+        items: [
+          addButton,
+          removeButton,
+          {
+            name: "This plane on",
+            text: "On",
+            pressed: (context) => planeOf(context).enabled,
+            press: (context) => context.store.set(changed(context, { enabled: !planeOf(context).enabled })),
+          },
+        ],
+      }),
+      { kind: "numbers", label: "Normal", ...WATCHED, items: [0, 1, 2].map(normalField) },
+      {
+        kind: "choice",
+        id: "plane-rule",
+        label: "Hides a cell",
+        path: "filters.planes.rule",
+        options: [
+          { value: "barycentre", name: "barycentre behind" },
+          { value: "any_corner", name: "any corner behind" },
+        ],
+      },
+    ],
   }),
-  more("planes-more", "Planes, normal, rule", [
-    {
-      kind: "choice",
-      id: "plane-index",
-      label: "Plane",
-      ...WATCHED,
-      options: (context) =>
-        planesOf(context).planes.map((_, at) => ({ value: String(at), name: `Plane ${at + 1}` })),
-      read: (context) => String(planesOf(context).index),
-      write: (index, { facts }) => void facts.set({ plane: Number(index) }),
-    },
-    buttons({
-      label: "",
-      ...WATCHED,
-      items: [
-        addButton,
-        removeButton,
-        {
-          name: "This plane on",
-          text: "On",
-          pressed: (context) => planeOf(context).enabled,
-          press: (context) => context.store.set(changed(context, { enabled: !planeOf(context).enabled })),
-        },
-      ],
-    }),
-    { kind: "numbers", label: "Normal", ...WATCHED, items: [0, 1, 2].map(normalField) },
-    {
-      kind: "choice",
-      id: "plane-rule",
-      label: "Hides a cell",
-      path: "filters.planes.rule",
-      options: [
-        { value: "barycentre", name: "barycentre behind" },
-        { value: "any_corner", name: "any corner behind" },
-      ],
-    },
-  ]),
 ];

@@ -1,6 +1,7 @@
 import { count } from "../state/numbers.js";
 import { watch } from "../widgets/bind.js";
 import { h } from "../widgets/dom.js";
+import { meshFacts } from "./mesh_facts.js";
 
 /** @typedef {import("../widgets/bind.js").Context} Context */
 
@@ -75,6 +76,7 @@ export const structure = {
       path: "irregular.boundary",
     },
     { kind: "custom", render: legend },
+    { kind: "custom", render: meshFacts },
   ],
 };
 

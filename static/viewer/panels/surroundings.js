@@ -20,14 +20,28 @@ export const surroundings = {
       kind: "choice",
       id: "lighting",
       label: "Lighting",
-      hint: "Ambient occlusion on and off (Q)",
+      hint: "AO: ambient occlusion, on and off (Q)",
       path: "lighting.mode",
       options: [
-        { value: "object_space_ao", name: "Ambient occlusion, best" },
-        { value: "screen_space_ao", name: "Ambient occlusion, fast" },
+        { value: "object_space_ao", name: "AO, best" },
+        { value: "screen_space_ao", name: "AO, fast" },
         { value: "direct", name: "Direct" },
         { value: "none", name: "None" },
       ],
+    },
+    {
+      kind: "slider",
+      id: "silhouette",
+      label: "Silhouette",
+      hint: "The outline of what is hidden: none, flat, shaded",
+      path: "silhouette",
+      facts: ["shown", "summary"],
+      range: [0, 1, 0.05],
+      digits: 2,
+      why: ({ facts }) => {
+        const shown = facts.get("shown")?.cells;
+        return shown !== undefined && shown === facts.get("summary")?.cells ? "nothing is hidden" : "";
+      },
     },
     {
       kind: "colours",
@@ -37,16 +51,12 @@ export const surroundings = {
     },
     buttons({
       label: "Look from",
+      full: true,
       items: [
         viewButton("front", "Front", "1"),
         viewButton("right", "Right", "3"),
         viewButton("top", "Top", "7"),
         viewButton("isometric", "Iso", "9"),
-      ],
-    }),
-    buttons({
-      label: "",
-      items: [
         viewButton("back", "Back", "2"),
         viewButton("left", "Left", "4"),
         viewButton("bottom", "Below", "8"),

@@ -44,6 +44,7 @@
  * @property {string[]} [facts] facts it depends on
  * @property {string} [enabled] path of the switch before its label
  * @property {(context: Context) => string} [why] why it has no effect now; empty if it has
+ * @property {boolean} [full] whether it takes the whole width, its label for screen readers alone
  * @property {(context: Context) => boolean} [hidden] whether it is left out now
  * @property {readonly Option[] | ((context: Context) => readonly Option[])} [options] of a combo box
  * @property {Range | ((context: Context) => Range)} [range] lowest, highest, step
@@ -51,6 +52,7 @@
  * @property {Box} [box]
  * @property {readonly string[]} [names] what the slider's steps are called
  * @property {readonly any[]} [items] parts: see the widget
+ * @property {readonly Control[]} [more] rows that stay folded below this one until asked for
  * @property {(context: Context) => HTMLElement} [render]
  */
 

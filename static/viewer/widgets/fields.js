@@ -75,11 +75,14 @@ export function numbers(context, control) {
       digits: control.digits ?? 3,
       range: () => item.range?.(context) ?? [-Infinity, Infinity, 0.1],
       optional: item.optional,
-      placeholder: item.placeholder,
       write: (value) => void context.store.set(item.write(value, context) ?? {}),
     });
     group.append(field.element);
-    return { show: () => field.show(item.read(context)) };
+    const show = () => {
+      if (item.placeholder) field.element.placeholder = item.placeholder(context);
+      field.show(item.read(context));
+    };
+    return { show };
   });
   const update = () => fields.forEach((/** @type {any} */ field) => field.show());
   return row(context, control, { body: [group], target: group, update, className: "row-wide" });

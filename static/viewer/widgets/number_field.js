@@ -11,10 +11,9 @@ import { h } from "./dom.js";
  * @param {() => readonly [number, number, number]} options.range lowest, highest, step; infinite ends are open
  * @param {(value: number | null) => void} options.write null when the box was emptied and `optional` is set
  * @param {boolean} [options.optional]
- * @param {string} [options.placeholder]
  * @returns {{ element: HTMLInputElement, show: (value: number | null) => void }}
  */
-export function numberField({ label, digits = 3, range, write, optional = false, placeholder }) {
+export function numberField({ label, digits = 3, range, write, optional = false }) {
   /** @type {number | null} */
   let shown = null;
   const element = h("input", {
@@ -24,7 +23,6 @@ export function numberField({ label, digits = 3, range, write, optional = false,
     autocomplete: "off",
     spellcheck: "false",
     "aria-label": label,
-    placeholder,
     onfocus: () => element.select(),
     onchange: take,
     onkeydown: step,

@@ -20,7 +20,7 @@ export function row(context, control, { body, target, update, className = "" }) 
   );
   const element = h(
     "div",
-    { class: `row ${className}`.trim() },
+    { class: `row ${className}${control.full ? " row-full" : ""}`.trim() },
     toggle(context, control),
     label,
     ...body,

@@ -1,4 +1,4 @@
-import { h, setText } from "./dom.js";
+import { freshId, h, setText } from "./dom.js";
 import { watch } from "./bind.js";
 import { choice, toggle } from "./choice.js";
 import { actions, colours, numbers, text } from "./fields.js";
@@ -11,6 +11,7 @@ import { slider } from "./slider.js";
  * @property {string} id
  * @property {string} title
  * @property {boolean} [open] whether it starts unfolded
+ * @property {boolean} [openNarrow] the same where the screen is narrow, if that differs
  * @property {readonly Control[]} controls
  * @property {(context: Context) => string} [digest] what a folded section tells of itself
  * @property {{ status?: string[], facts?: string[] }} [digestOf]
@@ -29,9 +30,37 @@ const WIDGETS = {
   custom: (context, control) => /** @type {any} */ (control.render)(context),
 };
 
-/** @param {Context} context @param {Control} control */
+/** @param {Context} context @param {Control} control @returns {HTMLElement} */
 export function renderControl(context, control) {
-  return WIDGETS[control.kind](context, control);
+  const element = WIDGETS[control.kind](context, control);
+  return control.more ? folding(context, element, control.more) : element;
+}
+
+/** A row, and below it the rows that its label unfolds. @param {Context} context @param {HTMLElement} head @param {readonly Control[]} rows @returns {HTMLElement} */
+function folding(context, head, rows) {
+  const label = /** @type {HTMLElement} */ (head.querySelector(".row-label"));
+  const rest = h(
+    "div",
+    { class: "folded", id: freshId("folded"), hidden: true },
+    ...rows.map((one) => renderControl(context, one)),
+  );
+  const button = h(
+    "button",
+    {
+      type: "button",
+      class: "row-label row-fold",
+      "aria-expanded": "false",
+      "aria-controls": rest.id,
+      title: label.title,
+      onclick: () => {
+        rest.hidden = !rest.hidden;
+        button.setAttribute("aria-expanded", String(!rest.hidden));
+      },
+    },
+    label.textContent,
+  );
+  label.replaceWith(button);
+  return h("div", { class: "folding" }, head, rest);
 }
 
 const MEMORY = "hexalab.sections";
@@ -66,7 +95,9 @@ function fold(id, open, summary, className) {
 export function renderSection(context, section) {
   const digest = h("span", { class: "digest" });
   const summary = h("summary", { class: "section-head" }, h("h2", {}, section.title), digest);
-  const element = fold(section.id, section.open ?? false, summary, "section");
+  const narrow = matchMedia("(max-width: 720px)").matches;
+  const open = (narrow ? section.openNarrow : undefined) ?? section.open ?? false;
+  const element = fold(section.id, open, summary, "section");
   element.append(
     h(
       "div",

@@ -1,0 +1,55 @@
+import { count, decimal } from "../state/numbers.js";
+import { watch } from "../widgets/bind.js";
+import { h } from "../widgets/dom.js";
+
+/** @typedef {import("../widgets/bind.js").Context} Context */
+
+/** Rows of the table of facts: name and value. @param {any} summary @param {any} description @returns {[string, string][]} */
+function rowsOf(summary, description) {
+  const size = [0, 1, 2]
+    .map((axis) => decimal(summary.extent[1][axis] - summary.extent[0][axis]))
+    .join(" × ");
+  /** @type {[string, string][]} */
+  const rows = [
+    ["Format", summary.format],
+    ["Boundary faces", count(summary.boundary_faces)],
+    ["Extent", size],
+  ];
+  if (!description) return rows;
+  return [
+    ...rows,
+    ["Faces", count(description.faces)],
+    ["Edges", count(description.edges)],
+    ["Irregular edges inside", count(irregular(description.interior_edge_valence, 4))],
+    ["Irregular on boundary", count(irregular(description.boundary_edge_valence, 2))],
+    ["Layers", count(description.cells_per_depth?.length)],
+    ["Components", count(description.components)],
+    ["Unreferenced vertices", count(description.unreferenced_vertices)],
+    ["Cells repeating a vertex", count(description.cells_repeating_a_vertex)],
+  ];
+}
+
+/** @param {Record<string, number>} valences @param {number} regular */
+function irregular(valences, regular) {
+  return Object.entries(valences ?? {}).reduce(
+    (total, [valence, n]) => (Number(valence) === regular ? total : total + n),
+    0,
+  );
+}
+
+/**
+ * What is known of the mesh, as names and values.
+ *
+ * @param {Context} context
+ */
+export function meshFacts(context) {
+  const element = h("dl", { class: "facts" });
+  watch(context, { facts: ["summary", "description"] }, () => {
+    const summary = context.facts.get("summary");
+    const rows = summary ? rowsOf(summary, context.facts.get("description")) : [];
+    element.replaceChildren(...rows.flatMap(([name, value]) => [h("dt", {}, name), h("dd", {}, value)]));
+    const notes = summary?.notes ?? [];
+    if (notes.length) element.append(h("dt", {}, "Notes"), h("dd", { class: "prose" }, notes.join(" ")));
+  });
+  return element;
+}
