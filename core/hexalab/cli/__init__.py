@@ -24,6 +24,7 @@ VERBS = {
     "info": "say what is in mesh files",
     "quality": "measure the quality of a mesh's cells",
     "convert": "write a mesh in another format",
+    "render": "make a picture of a mesh",
     "build": "build the site out of the repository",
     "serve": "serve a built site on this machine",
     "validate": "check sources for the catalogue and measure their meshes",

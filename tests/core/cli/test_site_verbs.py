@@ -66,6 +66,34 @@ def test_A2_a_folder_that_is_not_there_is_told(
     assert "none" in err
 
 
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["FILE"], "--out"),
+        (["none.mesh", "-o", "p.png"], "none.mesh"),
+        (["FILE", "-o", "p.png", "--width", "9000"], "1 to 8192"),
+        (["FILE", "-o", "p.png", "--status", "none.json"], "none.json: no such file"),
+        (["FILE", "-o", "p.png", "--status", "FILE"], "not JSON"),
+        (["FILE", "-o", "p.png", "--status", "list.json"], "expected a JSON object"),
+        (["FILE", "-o", "p.png", "--site", "none"], "build the site first"),
+    ],
+)
+def test_A2_a_mistake_in_rendering_is_told_before_a_browser_starts(
+    mesh_file: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    words: list[str],
+    told: str,
+) -> None:
+    monkeypatch.chdir(mesh_file.parent)
+    Path("list.json").write_text("[1]")
+    assert cli.main(["render", *(mesh_file.name if word == "FILE" else word for word in words)]) == cli.MISUSE
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert len(err.splitlines()) == 1
+    assert told in err
+
+
 class Terminal(io.StringIO):
     def isatty(self) -> bool:
         return True

@@ -1,0 +1,42 @@
+"""`hexalab render` (SPEC A2, S3, S5): the same picture every time, with its status inside."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from benchmarks.page import SITE
+from hexalab import Mesh, cli, write
+from hexalab.picture import read_settings
+
+pytestmark = pytest.mark.browser
+
+
+@pytest.fixture
+def cube(tmp_path: Path) -> Path:
+    """A file of one unit cube."""
+    corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
+    path = tmp_path / "cube.mesh"
+    write(Mesh.from_cells(corners, [range(8)]), path)  # type: ignore[arg-type]
+    return path
+
+
+def test_A2_render_makes_the_same_picture_again_from_its_own_status(
+    cube: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    status = {"separation": {"mode": "rounded"}, "background": "#336699", "silhouette": 7}
+    (tmp_path / "status.json").write_text(json.dumps(status))
+    first, second = tmp_path / "first.png", tmp_path / "second.png"
+    words = ["render", str(cube), "--site", str(SITE), "--width", "320", "--height", "200"]
+    assert cli.main([*words, "-o", str(first), "--status", str(tmp_path / "status.json")]) == 0
+    out, err = capsys.readouterr()
+    assert out.startswith(f"{first}: 320 x 200 pixels")
+    assert err.count("\n") == 1 and "silhouette: found 7" in err
+    drawn = read_settings(first.read_bytes())
+    assert drawn["separation"]["mode"] == "rounded"
+    assert drawn["background"] == "#336699"
+    assert drawn["mesh"]["cells"] == 1
+    assert cli.main([*words, "-o", str(second), "--status", str(first)]) == 0
+    assert second.read_bytes() == first.read_bytes()
