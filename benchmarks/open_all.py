@@ -33,7 +33,7 @@ OPEN = """async (url) => {
     await window.hexalab.setStatus({
         filters: { planes: { items: [{ enabled: true, normal: [1, 0, 0], offset: 0.5 }] } },
     });
-    const sliced = window.hexalab.drawn();
+    const sliced = window.hexalab.summary().shown;
     await window.hexalab.setStatus({ filters: { planes: { items: [] } } });
     return { opened, quality, summary, whole, sliced };
 }"""
