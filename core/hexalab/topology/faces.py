@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +11,8 @@ from numpy.typing import NDArray
 from ..mesh import Array, Ids
 from .keys import face_keys
 from .matching import SINGLE, Pairing, match, unfold
+
+_BLOCK = 1 << 16
 
 
 @dataclass(frozen=True)
@@ -54,39 +57,42 @@ def find_faces(corners: Ids, vertex_count: int) -> Faces:
     """Match the faces of (8, C) corners."""
     cell_count = corners.shape[1]
     pairing = match(face_keys(corners, vertex_count), cell_count, vertex_count)
-    cells, local, folded = _pairs(pairing.partner, cell_count)
-    if len(folded):
-        pairing = unfold(pairing, folded)
-        cells, local, folded = _pairs(pairing.partner, cell_count)
-    return _rows(pairing, cells, local, cell_count)
+    joints = _joints(pairing.partner, cell_count)
+    folded = [joint.left[joint.left == joint.right] + joint.face * cell_count for joint in joints]
+    if any(len(sides) for sides in folded):
+        pairing = unfold(pairing, np.concatenate(folded))
+        joints = _joints(pairing.partner, cell_count)
+    return _rows(pairing, joints, cell_count)
 
 
-def _pairs(partner: Ids, cell_count: int) -> tuple[list[list[Ids]], list[list[NDArray[np.uint8]]], Array]:
-    """Cells and local faces of each pair, by the first local face; first sides of folded pairs."""
-    cells: list[list[Ids]] = [[], []]
-    local: list[list[NDArray[np.uint8]]] = [[], []]
-    folded: list[Array] = []
-    own = np.arange(cell_count, dtype=np.int32)
+class _Joint(NamedTuple):
+    """Pairs of which the first side is one and the same of a cell's six faces."""
+
+    face: int
+    left: Ids
+    right: Ids
+    right_face: NDArray[np.uint8]
+
+
+def _joints(partner: Ids, cell_count: int) -> list[_Joint]:
+    """All pairs, face by face and block by block."""
+    joints = []
     for face in range(6):
-        mates = partner[face * cell_count : (face + 1) * cell_count]
-        left = np.flatnonzero(mates > own).astype(np.int32)
-        own += cell_count
-        mate = mates[left]
-        mate_face = mate // max(cell_count, 1)
-        right = mate - mate_face * cell_count
-        same = left == right
-        if same.any():
-            folded.append(left[same] + face * cell_count)
-        cells[0].append(left)
-        cells[1].append(right)
-        local[0].append(np.full(len(left), face, np.uint8))
-        local[1].append(mate_face.astype(np.uint8))
-    return cells, local, np.concatenate(folded) if folded else np.empty(0, np.intp)
+        for start in range(0, cell_count, _BLOCK):
+            stop = min(start + _BLOCK, cell_count)
+            base = face * cell_count
+            mates = partner[base + start : base + stop]
+            first = np.flatnonzero(mates > np.arange(base + start, base + stop, dtype=np.int32))
+            mate = mates[first]
+            mate_face = mate // cell_count
+            right = mate - mate_face * cell_count
+            left = first.astype(np.int32)
+            left += start
+            joints.append(_Joint(face, left, right, mate_face.astype(np.uint8)))
+    return joints
 
 
-def _rows(
-    pairing: Pairing, cells: list[list[Ids]], local: list[list[NDArray[np.uint8]]], cell_count: int
-) -> Faces:
+def _rows(pairing: Pairing, joints: list[_Joint], cell_count: int) -> Faces:
     """Number the pairs, then the boundary, then what is left over."""
     single = np.flatnonzero(pairing.partner == SINGLE)
     crowd_cells = pairing.crowd % max(cell_count, 1)
@@ -100,28 +106,22 @@ def _rows(
     outer = np.concatenate([single, left_over])
     outer_cells = (outer % max(cell_count, 1)).astype(np.int32)
 
-    paired = sum(len(part) for part in cells[0])
+    paired = sum(len(joint.left) for joint in joints)
     total = paired + len(outer)
-    face_cells = np.empty((2, total), np.int32)
-    face_locals = np.empty((2, total), np.uint8)
-    for side in range(2):
-        np.concatenate(
-            [*cells[side], outer_cells if side == 0 else np.full(len(outer), -1, np.int32)],
-            out=face_cells[side],
-        )
-        np.concatenate(
-            [*local[side], (outer // max(cell_count, 1)).astype(np.uint8) * (side == 0)],
-            out=face_locals[side],
-            casting="unsafe",
-        )
+    face_cells = np.full((2, total), -1, np.int32)
+    face_locals = np.zeros((2, total), np.uint8)
     rows = np.full(6 * cell_count, -1, np.int32)
     start = 0
-    for face in range(6):
-        left, right = cells[0][face], cells[1][face]
-        numbers = np.arange(start, start + len(left), dtype=np.int32)
-        rows[face * cell_count : (face + 1) * cell_count][left] = numbers
-        rows[local[1][face] * np.intp(cell_count) + right] = numbers
-        start += len(left)
+    for joint in joints:
+        part = slice(start, start + len(joint.left))
+        numbers = np.arange(start, part.stop, dtype=np.int32)
+        face_cells[0, part], face_cells[1, part] = joint.left, joint.right
+        face_locals[0, part], face_locals[1, part] = joint.face, joint.right_face
+        rows[joint.face * cell_count : (joint.face + 1) * cell_count][joint.left] = numbers
+        rows[joint.right_face * np.intp(cell_count) + joint.right] = numbers
+        start = part.stop
+    face_cells[0, paired:] = outer_cells
+    face_locals[0, paired:] = outer // max(cell_count, 1)
     rows[outer] = np.arange(paired, total, dtype=np.int32)
 
     plain = total

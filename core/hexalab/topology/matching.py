@@ -9,10 +9,10 @@ left then is sorted.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..mesh import Array, Ids
 from .keys import SLOTS_PER_VERTEX, FaceKeys, Slots
@@ -23,7 +23,7 @@ SINGLE, VANISHED = -1, -2
 ROUNDS = 24
 """After so many rounds what is left is sorted: a vertex that is the smallest of very many faces."""
 
-_BLOCK = 1 << 18
+_BLOCK = 1 << 16
 
 
 class Pairing(NamedTuple):
@@ -47,38 +47,20 @@ class Pairing(NamedTuple):
 
 def match(keys: FaceKeys, cell_count: int, vertex_count: int) -> Pairing:
     """Pair the sides of equal keys; a face of more sides pairs two by two, and one may be left over."""
-    total = len(keys.slot)
-    partner = np.full(total, SINGLE, np.int32)
+    partner = np.full(len(keys.slot), SINGLE, np.int32)
     table = np.empty(SLOTS_PER_VERTEX * vertex_count, np.int32)
+    sides: Array | None = None
     if keys.vanished:
         partner[keys.slot < 0] = VANISHED
-        rest = np.flatnonzero(keys.slot >= 0)
-        winner = _winners(table, keys.slot[rest], rest)
-        lost = np.flatnonzero(winner != rest)
-        rest, winner = rest[lost], winner[lost]
-    else:
-        sides = np.arange(total, dtype=np.int32)
-        winner = _winners(table, keys.slot, sides)
-        rest = np.flatnonzero(winner != sides)
-        winner = winner[rest]
-        del sides
+        sides = np.flatnonzero(keys.slot >= 0)
     pairs = 0
     for _ in range(ROUNDS):
-        same = _equal(keys, rest, winner)
-        agree = np.flatnonzero(same)
-        one, other = rest[agree], winner[agree]
-        partner[one] = other
-        partner[other] = one
-        pairs += len(agree)
-        if len(agree) == len(rest):
-            rest = rest[:0]
+        sides, found = _round(keys, table, partner, sides)
+        pairs += found
+        if not len(sides):
             break
-        rest = rest[np.flatnonzero(~same)]
-        winner = _winners(table, keys.slot[rest], rest)
-        lost = np.flatnonzero(winner != rest)
-        rest, winner = rest[lost], winner[lost]
-    if len(rest):
-        one, other = _sorted_matches(keys, np.concatenate([rest, np.unique(winner)]))
+    else:
+        one, other = _sorted_matches(keys, np.arange(len(partner)) if sides is None else sides)
         partner[one] = other
         partner[other] = one
         pairs += len(one)
@@ -87,23 +69,43 @@ def match(keys: FaceKeys, cell_count: int, vertex_count: int) -> Pairing:
     return Pairing(partner, np.empty(0, np.intp), np.empty(0, np.intp))
 
 
-def _winners(table: Ids, slot: Slots, sides: Array) -> Ids:
-    """Let each side write into its slot; return for each side the one that stayed there."""
-    table[slot] = sides
-    winners: Ids = table[slot]
-    return winners
-
-
-def _equal(keys: FaceKeys, one: Array, other: Array) -> NDArray[np.bool_]:
-    """Whether sides of one slot have the same face, block by block to bound the temporaries."""
-    same = np.empty(len(one), dtype=bool)
-    for start in range(0, len(one), _BLOCK):
-        block = slice(start, start + _BLOCK)
-        a, b = one[block], other[block]
-        np.equal(keys.parts[0][a], keys.parts[0][b], out=same[block])
+def _round(keys: FaceKeys, table: Ids, partner: Ids, sides: Array | None) -> tuple[Array, int]:
+    """Let sides (all if None) write into their slots and pair with the winners; return who is left, and the pairs."""
+    for here, slot in _blocks(keys, sides):
+        table[slot] = here
+    left: list[Array] = []
+    pairs = 0
+    for here, slot in _blocks(keys, sides):
+        winner = table[slot]
+        lost = np.flatnonzero(winner != here)
+        one, other = here[lost], winner[lost]
+        same = keys.parts[0][one] == keys.parts[0][other]
         for part in keys.parts[1:]:
-            same[block] &= part[a] == part[b]
-    return same
+            same &= part[one] == part[other]
+        agree = np.flatnonzero(same)
+        if len(agree) < len(one):
+            left.append(one[np.flatnonzero(~same)])
+            one, other = one[agree], other[agree]
+        partner[one] = other
+        partner[other] = one
+        pairs += len(one)
+    return np.concatenate(left) if left else np.empty(0, np.int32), pairs
+
+
+def _blocks(keys: FaceKeys, sides: Array | None) -> Iterator[tuple[Array, Slots]]:
+    """Sides and their slots, block by block.
+
+    Blocks bound the temporaries; and a browser makes fast machine code of a loop only after it has run some
+    times.
+    """
+    count = len(keys.slot) if sides is None else len(sides)
+    for start in range(0, count, _BLOCK):
+        stop = min(start + _BLOCK, count)
+        if sides is None:
+            yield np.arange(start, stop, dtype=np.int32), keys.slot[start:stop]
+        else:
+            here = sides[start:stop]
+            yield here, keys.slot[here]
 
 
 def _sorted_matches(keys: FaceKeys, sides: Array) -> tuple[Array, Array]:
