@@ -6,7 +6,6 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from .diagnosis import diagnose
 from .mesh import HEXAHEDRON, Floats, Mesh
@@ -53,19 +52,42 @@ def summarise(mesh: Mesh, metrics: Iterable[str] = METRICS) -> dict[str, Any]:
 
 def structure(mesh: Mesh) -> dict[str, Any]:
     """Collect the facts of a mesh's topology; see `summarise`."""
+    return {name: fact for part in STRUCTURE.values() for name, fact in part(mesh).items()}
+
+
+def _faces(mesh: Mesh) -> dict[str, Any]:
     topology = mesh.topology
     return {
         "faces": topology.face_count,
         "boundary_faces": topology.boundary_face_count,
         "nonmanifold_faces": topology.nonmanifold_face_count,
-        "edges": topology.edge_vertices.shape[1],
+    }
+
+
+def _edges(mesh: Mesh) -> dict[str, Any]:
+    topology = mesh.topology
+    return {
+        "edges": topology.edge_count,
         "interior_edge_valence": topology.interior_edge_valence,
         "boundary_edge_valence": topology.boundary_edge_valence,
-        "cells_per_depth": topology.cells_per_depth,
-        "components": topology.component_count,
-        "unreferenced_vertices": int(np.count_nonzero(~mesh.referenced)),
-        "cells_repeating_a_vertex": int(np.count_nonzero(repeats_a_vertex(mesh))),
     }
+
+
+def _layers(mesh: Mesh) -> dict[str, Any]:
+    topology = mesh.topology
+    return {"cells_per_depth": topology.cells_per_depth, "components": topology.component_count}
+
+
+def _vertices(mesh: Mesh) -> dict[str, Any]:
+    repeating = mesh.topology.repeating_cells & (mesh.kinds == HEXAHEDRON)
+    return {
+        "unreferenced_vertices": int(np.count_nonzero(~mesh.referenced)),
+        "cells_repeating_a_vertex": int(np.count_nonzero(repeating)),
+    }
+
+
+STRUCTURE = {"faces": _faces, "edges": _edges, "layers": _layers, "vertices": _vertices}
+"""Parts of the facts about topology, in the order in which they are told."""
 
 
 def measures(mesh: Mesh, values: Mapping[str, Floats]) -> dict[str, dict[str, Any]]:
@@ -75,10 +97,3 @@ def measures(mesh: Mesh, values: Mapping[str, Floats]) -> dict[str, dict[str, An
         numbers = statistics(array, METRICS[metric], mesh.kinds)
         measured[metric] = {name: numbers[name] for name in STATISTICS}
     return measured
-
-
-def repeats_a_vertex(mesh: Mesh) -> NDArray[np.bool_]:
-    """(C,) bool: whether a hexahedron names a vertex twice; cells of fewer corners never do."""
-    ordered = np.sort(mesh.corners, axis=0)
-    repeated = (ordered[1:] == ordered[:-1]).any(axis=0)
-    return np.asarray(repeated & (mesh.kinds == HEXAHEDRON))

@@ -18,12 +18,11 @@ from ..diagnosis import turn_round
 from ..errors import HexaLabError
 from ..formats import FORMATS, read_bytes
 from ..packing import jsonable, pack
-from ..summary import structure
 from . import inspection, measuring, sources
 from .buffers import Buffers, source_of
-from .opened import Opened
+from .opened import DESCRIBED, Opened
 
-__all__ = ["Session"]
+__all__ = ["DESCRIBED", "Session"]
 
 Result = dict[str, Any]
 
@@ -118,16 +117,23 @@ class Session:
         identity: Result = self.status["mesh"]
         return identity
 
-    def describe(self) -> Result:
-        """Return the slow part of the summary: edges, depths, components, findings, ranges."""
+    def describe(self, part: str = "") -> Result:
+        """Return the slow part of the summary.
+
+        Parameters
+        ----------
+        part : str
+            One of `DESCRIBED`, so that other calls can come between; all of them by default.
+
+        Returns
+        -------
+        dict
+            Facts as `hexalab.summarise` names them, `max_depth`, and `findings` with their severity.
+        """
         opened = self._open_mesh()
-        facts = structure(opened.mesh)
-        opened.described = True
-        facts["max_depth"] = opened.max_depth(True)
-        facts["findings"] = [
-            {"id": found.id, "severity": found.severity, "message": found.message, "count": found.count}
-            for found in opened.findings
-        ]
+        facts: Result = {}
+        for name in (part,) if part else DESCRIBED:
+            facts.update(opened.described(name))
         described: Result = jsonable(facts)
         return described
 

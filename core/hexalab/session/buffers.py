@@ -106,7 +106,7 @@ class Buffers:
         mode = irregular["mode"]
         if not mode:
             return None, False
-        return (mode in BARBED, mode in PAPER), not self.opened.described
+        return (mode in BARBED, mode in PAPER), not self.opened.knows_edges
 
     def _extract_irregular(self, barbs: bool, paper: bool) -> dict[str, Any]:
         return self.opened.irregular(barbs, paper).arrays()

@@ -16,10 +16,14 @@ from ..filters.stack import FilterStack
 from ..mesh import Floats, Mesh
 from ..quality import METRICS, quality, statistics
 from ..status import OpenMesh
+from ..summary import STRUCTURE
 from ..surface import Drawing, Irregular, extract_irregular
 
 if TYPE_CHECKING:
     from ..quality.validity import Validity
+
+DESCRIBED = (*STRUCTURE, "findings")
+"""Parts of a description, to be asked for one by one."""
 
 MOST_BYTES_OF_VALUES = 96 * 2**20
 """Values per cell are kept up to this size, the least used leave first."""
@@ -39,7 +43,7 @@ class Opened:
 
     def __init__(self, mesh: Mesh) -> None:
         self.mesh = mesh
-        self.described = False
+        self.knows_edges = False
         self._values: OrderedDict[str, Floats] = OrderedDict()
         self._ranges: dict[str, tuple[float, float] | None] = {}
         self._statistics: dict[str, dict[str, Any]] = {}
@@ -71,6 +75,21 @@ class Opened:
         from ..quality.validity import certify
 
         return certify(self.mesh)
+
+    def described(self, part: str) -> dict[str, Any]:
+        """Return one part of the mesh's description, a name of `DESCRIBED`."""
+        if part == "findings":
+            rows = [
+                {"id": found.id, "severity": found.severity, "message": found.message, "count": found.count}
+                for found in self.findings
+            ]
+            return {"findings": rows}
+        if part not in STRUCTURE:
+            raise HexaLabError(f"there is no part {part!r} of a description, but {', '.join(DESCRIBED)}")
+        facts = STRUCTURE[part](self.mesh)
+        if part == "edges":
+            self.knows_edges = True
+        return {**facts, "max_depth": self.mesh.topology.max_depth} if part == "layers" else facts
 
     def values(self, source: str) -> Floats:
         """Return a metric's or an attribute's value for each cell, (C,) float64.

@@ -13,7 +13,7 @@ import pytest
 from hexalab.errors import HexaLabError, MeshReadError
 from hexalab.packing import unpack
 from hexalab.quality import METRICS, quality_many
-from hexalab.session import Session
+from hexalab.session import DESCRIBED, Session
 from hexalab.status import DEFAULTS
 
 ROOT = Path(__file__).parents[3]
@@ -420,6 +420,18 @@ def test_R9_findings_and_their_cells(twisted: bytes) -> None:
     assert any(session.finding_cells(finding["id"]).tolist() == [1] for finding in told["findings"])
     with pytest.raises(HexaLabError, match="found no 'x'"):
         session.finding_cells("x")
+
+
+def test_R9_the_description_comes_in_parts(block: Session) -> None:
+    whole = block.describe()
+    parts = [block.describe(part) for part in DESCRIBED]
+    assert {name: fact for part in parts for name, fact in part.items()} == whole
+    assert [set(part) for part in parts[:2]] == [
+        {"faces", "boundary_faces", "nonmanifold_faces"},
+        {"edges", "interior_edge_valence", "boundary_edge_valence"},
+    ]
+    with pytest.raises(HexaLabError, match="no part 'x'"):
+        block.describe("x")
 
 
 def test_Q6_validity(twisted: bytes) -> None:
