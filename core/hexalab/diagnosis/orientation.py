@@ -49,6 +49,7 @@ class Signs(NamedTuple):
     invalid_corner: NDArray[np.bool_]
 
 
+@np.errstate(all="ignore")
 def signs(mesh: Mesh) -> Signs:
     """Signs of the volume and of the Jacobians at corners of all cells.
 
@@ -109,8 +110,10 @@ def _volume_signs(mesh: Mesh, points: Floats, size: Floats) -> NDArray[np.int8]:
         middle += points[:, d]
         total += _det(middle, points[:, c] - points[:, a], points[:, d] - points[:, b])
     total /= 24
-    found: NDArray[np.int8] = np.sign(total).astype(np.int8)
-    rounding = 4 * np.finfo(np.float64).eps * float(np.abs(mesh.extent).max())
+    found = (total > 0).astype(np.int8)
+    found -= total < 0
+    reach = float(np.abs(mesh.extent).max())
+    rounding = 4 * np.finfo(np.float64).eps * reach if np.isfinite(reach) else 0.0
     small = np.flatnonzero(~(np.abs(total) > ROUNDING * size**3 + rounding * size**2))
     if len(small):
         x, y, z = (_principal(points[:, :, small], axis) for axis in range(3))
@@ -169,6 +172,7 @@ def _length(u: Floats) -> Floats:
     return np.asarray(np.sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]))
 
 
+@np.errstate(all="ignore")
 def all_inverted(mesh: Mesh) -> bool:
     """Whether cells have negative volumes only, or none; the first positive one ends the search."""
     negative = False

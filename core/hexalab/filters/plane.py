@@ -91,7 +91,12 @@ def plane(places: Places, offset: float) -> NDArray[np.bool_]:
 
 
 def _ends(along: Floats) -> tuple[float, float]:
-    return (float(along.min()), float(along.max())) if len(along) else (0.0, 0.0)
+    """Smallest and largest, of the finite ones."""
+    low, high = along.min(initial=np.inf), along.max(initial=-np.inf)
+    if not np.isfinite(high - low):
+        along = along[np.isfinite(along)]
+        low, high = (along.min(), along.max()) if len(along) else (0, 0)
+    return float(low), float(high)
 
 
 def plane_from_view(

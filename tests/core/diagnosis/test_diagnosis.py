@@ -242,3 +242,12 @@ def test_R9_no_cells() -> None:
     empty = Mesh(np.zeros((3, 2)), np.empty((8, 0)), np.empty(0))
     assert set(found(empty)) == {"unreferenced_vertices"}
     assert turn_round(empty) is empty
+
+
+def test_R9_coordinates_that_are_no_numbers() -> None:
+    mesh = box(3, 1, 1)
+    mesh.coordinates[:, 0] = [np.nan, np.inf, 0]
+    with np.errstate(all="raise"):
+        report = found(mesh)
+    assert report["degenerate_cells"].cells.tolist() == report["invalid_corner_cells"].cells.tolist() == [0]
+    assert turn_round(mesh) is mesh

@@ -81,6 +81,14 @@ def test_F1_a_normal_of_any_length_and_of_none() -> None:
     assert not plane(barycentre_places(mesh.barycentres, (0, 0, 0)), 0.7).any()
 
 
+def test_F1_cells_that_are_nowhere_do_not_hold_the_slider() -> None:
+    mesh = box(4, 1, 1)
+    mesh.coordinates[0, 0] = np.nan
+    hidden = plane(barycentre_places(mesh.barycentres, (1, 0, 0)), 0.7)
+    assert hidden.tolist() == [False, True, True, False]
+    assert barycentre_places(np.full((3, 2), np.nan), (1, 0, 0))[1:] == (0, 0)
+
+
 def test_F1_a_flat_layer_is_hidden_at_the_end_only() -> None:
     places = barycentre_places(box(3, 3, 1).barycentres, (0, 0, 1))
     assert not plane(places, 0.999).any()
