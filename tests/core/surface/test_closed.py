@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from hexalab.mesh import Mesh
-from hexalab.surface import MODES, Drawing, extract_irregular, extract_silhouette, extract_surface
+from hexalab.surface import MODES, Drawing, extract_surface
 from tests.core.surface.checks import (
     cell_volumes,
     check_closed,
@@ -19,7 +17,6 @@ from tests.core.surface.checks import (
     volume,
 )
 from tests.core.surface.shapes import KINDS, grid, mesh_of, random_mask, split_grid, unit_cube
-from tests.core.topology.strategies import meshes
 
 SHARES = (0.1, 0.5, 0.9, 0.97)
 
@@ -40,20 +37,6 @@ def test_V1_closed_whatever_is_hidden(kind: str, mode: str, jitter: float) -> No
         if "edges" in mode or mode == "lines":
             assert volume(surface) * mesh.diagonal**3 == pytest.approx(volumes[shown].sum(), rel=1e-4)
         assert set(surface.cells.tolist()) <= set(np.flatnonzero(shown).tolist())
-
-
-@given(
-    st.tuples(*[st.integers(1, 3)] * 3),
-    st.integers(0, 2**31),
-    st.sampled_from(SHARES),
-    st.sampled_from(MODES),
-)
-@settings(max_examples=150, deadline=None)
-def test_V1_closed_on_random_masks(shape: tuple[int, int, int], seed: int, share: float, mode: str) -> None:
-    mesh = grid(*shape, jitter=0.1)
-    surface = extract_surface(Drawing(mesh), random_mask(mesh.cell_count, seed, share), mode)
-    check_form(surface)
-    check_closed(surface)
 
 
 @pytest.mark.parametrize("mode", MODES)
@@ -160,19 +143,3 @@ def test_V1_inside_tells_what_filters_expose(mode: str) -> None:
     if mode == "rounded":
         outer = mesh.topology.cell_faces[surface.faces % 8, surface.faces // 8] >= mesh.topology.faces.paired
         assert (ring_inside[outer] == 0).all()
-
-
-@given(meshes, st.integers(0, 2**31), st.sampled_from(MODES))
-@settings(max_examples=300, deadline=None)
-def test_V1_any_cells_are_drawn(cells: np.ndarray, seed: int, mode: str) -> None:
-    """Cells that share faces by three, repeat corners across, are a single point: no error, a sound form."""
-    random = np.random.default_rng(seed)
-    mesh = mesh_of(random.random((int(cells.max(initial=0)) + 2, 3)), cells)
-    drawing = Drawing(mesh)
-    shown = random_mask(mesh.cell_count, seed, 0.7)
-    surface = extract_surface(drawing, shown, mode)
-    check_form(surface)
-    assert shown[np.unique(surface.cells)].all()
-    extract_silhouette(drawing, shown)
-    irregular = extract_irregular(drawing)
-    assert len(irregular.barb_valence) == 2 * len(irregular.paper_valence)

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from hexalab.mesh import FACES, Mesh
@@ -56,13 +54,6 @@ def check(mesh: Mesh, shown: NDArray[np.bool_], gap: float) -> None:
 def test_V1_fissure_as_the_paper_tells_it(kind: str, share: float) -> None:
     mesh = split_grid(kind, 3, 0.1)
     check(mesh, random_mask(mesh.cell_count, 3, share), 0.15)
-
-
-@given(st.tuples(*[st.integers(1, 4)] * 3), st.integers(0, 2**31), st.floats(0, 1), st.floats(0.04, 0.2))
-@settings(max_examples=60, deadline=None)
-def test_V1_fissure_on_random_masks(shape: tuple[int, int, int], seed: int, share: float, gap: float) -> None:
-    mesh = grid(*shape, jitter=0.1)
-    check(mesh, random_mask(mesh.cell_count, seed, share), gap)
 
 
 def test_V1_fissure_shrinks_a_cube_by_the_gap() -> None:

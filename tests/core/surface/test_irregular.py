@@ -6,12 +6,10 @@ from collections import Counter
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from hexalab.mesh import FACES, Mesh
 from hexalab.surface import Drawing, extract_irregular
-from tests.core.surface.shapes import KINDS, grid, mesh_of, random_mask, split_grid, three_around_an_edge
+from tests.core.surface.shapes import KINDS, grid, mesh_of, split_grid, three_around_an_edge
 from tests.core.topology.brute_force import BruteForce
 
 
@@ -84,14 +82,6 @@ def check_flaps(drawing: Drawing, place: dict, expected: dict, boundary: set[fro
 @pytest.mark.parametrize("kind", KINDS)
 def test_V4_irregular_edges_of_all_kinds(kind: str) -> None:
     check(split_grid(kind, 2, 0.1))
-
-
-@given(st.tuples(*[st.integers(1, 3)] * 3), st.integers(0, 2**31), st.floats(0.3, 1))
-@settings(max_examples=40, deadline=None)
-def test_V4_irregular_edges_of_torn_grids(shape: tuple[int, int, int], seed: int, share: float) -> None:
-    mesh = grid(*shape, jitter=0.1)
-    kept = random_mask(mesh.cell_count, seed, share)
-    check(mesh_of(mesh.points, mesh.cells[kept]))
 
 
 def test_V4_grid_has_no_irregular_interior() -> None:

@@ -6,8 +6,6 @@ from collections import Counter
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from hexalab.mesh import FACES, Mesh
@@ -79,15 +77,6 @@ def check_against_dictionaries(mesh: Mesh, shown: NDArray[np.bool_]) -> None:
 def test_V1_faces_edges_and_counts_of_all_kinds(kind: str, share: float) -> None:
     mesh = split_grid(kind, 3)
     check_against_dictionaries(mesh, random_mask(mesh.cell_count, 5, share))
-
-
-@given(st.tuples(*[st.integers(1, 4)] * 3), st.integers(0, 2**31), st.floats(0, 1))
-@settings(max_examples=100, deadline=None)
-def test_V1_faces_edges_and_counts_on_random_masks(
-    shape: tuple[int, int, int], seed: int, share: float
-) -> None:
-    mesh = grid(*shape)
-    check_against_dictionaries(mesh, random_mask(mesh.cell_count, seed, share))
 
 
 def test_V1_unit_cube_exactly() -> None:
