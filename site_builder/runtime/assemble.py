@@ -59,6 +59,7 @@ def assemble(out: Path, cache: Path | None = None) -> RuntimeReport:
         _forget(cache, "runtime-*")
         copy_interpreter(modules, interpreter, wheel)
     runtime = f"runtime-{key}"
+    _forget(out, "runtime-*", keep=runtime)
     _copy_tree(interpreter, out / runtime)
 
     scripts = [path for path in (ROOT / "static" / "viewer").rglob("*") if path.is_file()]
@@ -71,7 +72,11 @@ def assemble(out: Path, cache: Path | None = None) -> RuntimeReport:
         bundles.mkdir(parents=True)
         index.write_text(json.dumps(bundle(ROOT, bundles)))
     names: dict[str, str] = json.loads(index.read_text())
-    _copy_tree(bundles, out / "viewer", leave_out={"index.json"})
+    bundled = {path.name for path in bundles.iterdir()} - {"index.json"}
+    for old in (out / "viewer").glob("*-*.js*"):
+        if old.name not in bundled:
+            old.unlink()
+    _copy_tree(bundles, out / "viewer", leave_out=frozenset({"index.json"}))
     return RuntimeReport({entry: f"viewer/{name}" for entry, name in names.items()}, f"{runtime}/")
 
 
@@ -86,12 +91,13 @@ def _hash(parts: Iterable[bytes]) -> str:
     return digest.hexdigest()[:16]
 
 
-def _forget(cache: Path, pattern: str) -> None:
-    for old in cache.glob(pattern):
-        shutil.rmtree(old)
+def _forget(folder: Path, pattern: str, keep: str = "") -> None:
+    for old in folder.glob(pattern):
+        if old.name != keep:
+            shutil.rmtree(old)
 
 
-def _copy_tree(source: Path, target: Path, leave_out: set[str] = frozenset()) -> None:  # type: ignore[assignment]
+def _copy_tree(source: Path, target: Path, leave_out: frozenset[str] = frozenset()) -> None:
     target.mkdir(parents=True, exist_ok=True)
     for path in sorted(source.iterdir()):
         if path.name in leave_out:
