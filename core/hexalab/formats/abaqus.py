@@ -14,7 +14,7 @@ import numpy as np
 from ..errors import MeshReadError
 from ..mesh import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE, Array, Mesh
 from .assembly import WEDGE_OF_OTHERS, Assembly, CellBlock, check_finite
-from .ids import Numbering
+from .ids import Numbering, whole_tags
 from .source import Source
 from .text import Text
 
@@ -108,9 +108,10 @@ class Reader:
         check_finite(
             points, lambda message, row: self.text.error(message, self.text.number_offset(begin, row * width))
         )
-        if not np.isfinite(rows[:, 0]).all():
-            raise self.text.error("a node's number is not finite", begin)
-        self.part.tags.append(rows[:, 0].astype(np.int64))
+        tags = whole_tags(rows[:, 0])
+        if tags is None:
+            raise self.text.error("a node of this section has a number that is not whole", begin)
+        self.part.tags.append(tags)
         self.part.points.append(points)
 
     def elements(self, element_type: str, begin: int, end: int) -> None:

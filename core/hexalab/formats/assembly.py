@@ -121,7 +121,9 @@ class Assembly:
         """The sentence for a file without volumetric cells."""
         wanted = "expected hexahedra, wedges, pyramids or tetrahedra"
         if not self.left_out:
-            return f"the file has no cells: {wanted}" + (f" ({' '.join(self.notes)})" if self.notes else "")
+            return f"the file has no cells: {wanted}" + (
+                f" ({' '.join(self.notes[:2])})" if self.notes else ""
+            )
         names = ", ".join(f"{count} {kind}" for kind, count in sorted(self.left_out.items()))
         return f"the file has no volumetric cells, only {names}: {wanted}"
 
@@ -178,6 +180,14 @@ def free_name(arrays: Mapping[str, Array], name: str) -> str:
     while f"{name}_{number}" in arrays:
         number += 1
     return f"{name}_{number}"
+
+
+def as_coordinates(rows: Array) -> Floats:
+    """(3, n) float64 from rows of x, y, z in any number type and byte order, in one copy."""
+    out = np.empty((3, len(rows)))
+    with np.errstate(invalid="ignore"):
+        out[:] = rows.T
+    return out
 
 
 def check_finite(coordinates: Floats, locate: Callable[[str, int], MeshReadError]) -> None:

@@ -6,9 +6,10 @@ import numpy as np
 
 from ..errors import MeshReadError
 from ..mesh import Array
-from .assembly import Assembly
+from .assembly import Assembly, as_coordinates
 from .gmsh_numbers import Numbers
 from .gmsh_parts import Elements, Nodes, nodes_of, own_corners
+from .ids import whole_tags
 from .row_chain import RowForm, row_starts
 
 MOST_TAGS = 1000
@@ -50,12 +51,14 @@ class Gmsh2:
         count = numbers.count(numbers.text.integer("the number of nodes"), 7, "nodes")
         if not numbers.binary:
             values = numbers.doubles(4 * count, "$Nodes").reshape(count, 4)
-            tags = values[:, 0].astype(np.int64)
+            tags = whole_tags(values[:, 0])
+            if tags is None:
+                raise numbers.error("a node of $Nodes has a number that is not whole")
             return Nodes(tags, np.ascontiguousarray(values[:, 1:].T))
         numbers.begin()
         dtype = np.dtype([("tag", numbers.order + "i4"), ("x", numbers.order + "f8", 3)])
         rows = np.frombuffer(numbers.bytes(count * dtype.itemsize, "$Nodes"), dtype)
-        return Nodes(rows["tag"].astype(np.int64), np.ascontiguousarray(rows["x"].T, dtype=np.float64))
+        return Nodes(rows["tag"].astype(np.int64), as_coordinates(rows["x"]))
 
     def elements(self, out: Assembly) -> list[Elements]:
         numbers = self.numbers

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .assembly import Assembly
+from .assembly import Assembly, as_coordinates
 from .gmsh_numbers import Numbers
 from .gmsh_parts import NODES_OF_TYPE, Elements, Nodes, own_corners
 
@@ -41,9 +41,7 @@ class Gmsh4:
             tags.append(numbers.sizes(count, "$Nodes").astype(np.int64))
             width = 3 + (max(0, min(dimension, 3)) if parametric else 0)
             points.append(numbers.doubles(count * width, "$Nodes").reshape(count, width)[:, :3].T)
-        nodes = Nodes(
-            np.concatenate(tags), np.ascontiguousarray(np.concatenate(points, axis=1), dtype=np.float64)
-        )
+        nodes = Nodes(np.concatenate(tags), as_coordinates(np.concatenate(points, axis=1).T))
         if len(nodes.tags) != total:
             raise numbers.error(f"$Nodes has {len(nodes.tags)} nodes, but announces {total}")
         return nodes

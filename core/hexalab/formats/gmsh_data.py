@@ -8,6 +8,7 @@ import numpy as np
 
 from ..mesh import Array
 from .gmsh_numbers import Numbers
+from .ids import whole_tags
 
 QUOTED = re.compile(rb'\s*"([^"\n]*)"')
 
@@ -44,7 +45,10 @@ def read_data(numbers: Numbers, section: bytes) -> tuple[str, str, Array, Array]
     name = names[0] if names else "unnamed"
     if not numbers.binary:
         rows = numbers.doubles(entries * (1 + width), what).reshape(entries, 1 + width)
-        return what, name, rows[:, 0].astype(np.int64), rows[:, 1:]
+        tags = whole_tags(rows[:, 0])
+        if tags is None:
+            raise numbers.error(f"a row of {what} has a number that is not whole")
+        return what, name, tags, rows[:, 1:]
     numbers.begin()
     dtype = np.dtype([("tag", numbers.order + "i4"), ("values", numbers.order + "f8", (width,))])
     packed = np.frombuffer(numbers.bytes(entries * dtype.itemsize, what), dtype)

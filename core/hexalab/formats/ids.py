@@ -19,6 +19,13 @@ def within_int32(values: Array) -> Array:
     return values
 
 
+def whole_tags(values: Array) -> NDArray[np.int64] | None:
+    """Numbers of entries that were read as floats; None if one is not a whole number."""
+    if not np.isfinite(values).all() or (np.abs(values) >= 2**53).any() or (values % 1).any():
+        return None
+    return values.astype(np.int64)
+
+
 class Numbering:
     """A file's own numbers of vertices or cells, in any order and with gaps.
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from ..errors import MeshReadError
 from ..mesh import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE, Array, Mesh
-from .assembly import Assembly, CellBlock, check_finite
+from .assembly import Assembly, CellBlock, as_coordinates, check_finite
 from .ids import within_int32
 from .medit import REFERENCE, whole_references
 from .medit_keywords import ORDERS
@@ -125,8 +125,7 @@ class Reader:
         begin = self.position
         dtype = np.dtype([("x", self.order + self.real, 3), ("reference", self.order + self.whole)])
         rows = self.take(dtype, count, "vertices")
-        coordinates = np.empty((3, count))
-        coordinates[:] = rows["x"].T
+        coordinates = as_coordinates(rows["x"])
         check_finite(
             coordinates, lambda message, vertex: self.error(message, begin + vertex * dtype.itemsize)
         )

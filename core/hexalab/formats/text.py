@@ -295,10 +295,10 @@ def is_number(word: bytes, dtype: DTypeLike) -> bool:
     return bool(INTEGER.fullmatch(word))
 
 
-def shown(word: bytes) -> str:
+def shown(word: bytes | str) -> str:
     """A word of the file as an error message shows it: short, printable, in quotes."""
     if not word:
         return "the end of the file"
-    text = word[:40].decode("utf-8", "replace")
+    text = word[:40] if isinstance(word, str) else word[:40].decode("utf-8", "replace")
     text = "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in text)
     return f"‘{text}{'...' if len(word) > 40 else ''}’"

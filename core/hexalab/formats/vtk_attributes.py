@@ -158,7 +158,9 @@ class Attributes:
         ):
             for name, values in arrays.items():
                 if len(values) != count:
-                    self.out.note(f"The array {name} has {len(values)} entries for {count} {what}: left out.")
+                    self.out.note(
+                        f"The array {shown(name)} has {len(values)} entries for {count} {what}: left out."
+                    )
         self.out.point_data = self.point_data
         self.out.cell_data = {
             name: values if kept is None else values[kept]

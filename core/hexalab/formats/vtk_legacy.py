@@ -13,7 +13,7 @@ import re
 import numpy as np
 
 from ..mesh import Array, Mesh
-from .assembly import Assembly, check_finite
+from .assembly import Assembly, as_coordinates, check_finite
 from .row_chain import COUNTED, ErrorAt, row_starts
 from .source import Source
 from .text import NUMBER, Text, shown
@@ -124,8 +124,7 @@ class Reader:
         start = text.position
         if self.values.binary:
             values, error_at = self.values.take(3 * count, code, "POINTS")
-            coordinates = np.empty((3, count))
-            coordinates[:] = values.reshape(count, 3).T
+            coordinates = as_coordinates(values.reshape(count, 3))
         else:
             text.check_room(3 * count, "POINTS")
             coordinates = np.empty((3, count))

@@ -6,8 +6,9 @@ import numpy as np
 
 from ..errors import MeshReadError
 from ..mesh import Array, Mesh
-from .assembly import Assembly, check_finite, free_name
+from .assembly import Assembly, as_coordinates, check_finite, free_name
 from .source import Source
+from .text import shown
 from .vtk_cells import Rows, add_cells, spans
 from .vtk_values import native
 from .vtu_arrays import Arrays
@@ -32,7 +33,7 @@ class Reader:
         kind = file.attributes.get("type", "")
         if kind != "UnstructuredGrid":
             raise source.error(
-                f"the file holds {kind or 'no type'}, expected UnstructuredGrid, a mesh of volumetric cells",
+                f"the file holds {shown(kind)}, expected UnstructuredGrid, a mesh of volumetric cells",
                 line_at=file.begin,
             )
         grid = file.first("UnstructuredGrid")
@@ -66,7 +67,7 @@ class Reader:
         """An attribute of a piece that counts; nothing is allocated from it."""
         text = piece.attributes.get(name, "")
         if not text.strip().isdigit() or len(text) > 18:
-            raise self.arrays.error(piece, f"{name} is ‘{text[:40]}’, expected a whole number")
+            raise self.arrays.error(piece, f"{name} is {shown(text)}, expected a whole number")
         return int(text)
 
     def section(self, piece: Element, name: str) -> Element:
@@ -86,8 +87,7 @@ class Reader:
         values = self.arrays.values(element, "the points")
         if len(values) != 3 * count:
             raise self.arrays.error(element, f"Points has {len(values)} numbers, expected {3 * count}")
-        points = np.empty((3, count))
-        points[:] = values.reshape(count, 3).T
+        points = as_coordinates(values.reshape(count, 3))
         check_finite(points, lambda message, _: self.arrays.error(element, message))
         return points
 
@@ -128,9 +128,11 @@ class Reader:
             name = child.attributes.get("Name", "") or "unnamed"
             if child.attributes.get("type") == "String":
                 continue
-            values = native(self.arrays.values(child, f"the array ‘{name}’"))
+            values = native(self.arrays.values(child, f"the array {shown(name)}"))
             if not count or len(values) % count:
-                self.out.note(f"The array {name} has {len(values)} numbers for {count} entries: left out.")
+                self.out.note(
+                    f"The array {shown(name)} has {len(values)} numbers for {count} entries: left out."
+                )
                 continue
             out[free_name(out, name)] = values.reshape(count, len(values) // count)
         return out

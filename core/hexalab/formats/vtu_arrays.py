@@ -15,7 +15,7 @@ from ..errors import MeshReadError
 from ..mesh import Array
 from .container import inflation_bound
 from .source import Source
-from .text import Text
+from .text import Text, shown
 from .xml_tags import Element
 
 TYPES = {
@@ -51,11 +51,11 @@ class Arrays:
         given = file.attributes
         order = given.get("byte_order", "LittleEndian")
         if order not in ("LittleEndian", "BigEndian"):
-            raise self.error(file, f"byte_order is ‘{order}’, expected LittleEndian or BigEndian")
+            raise self.error(file, f"byte_order is {shown(order)}, expected LittleEndian or BigEndian")
         self.order = "<" if order == "LittleEndian" else ">"
         header = given.get("header_type", "UInt32")
         if header not in ("UInt32", "UInt64"):
-            raise self.error(file, f"header_type is ‘{header}’, expected UInt32 or UInt64")
+            raise self.error(file, f"header_type is {shown(header)}, expected UInt32 or UInt64")
         self.header = np.dtype(self.order + TYPES[header])
         self.compressor = given.get("compressor", "")
         self.appended_base64 = False
@@ -64,7 +64,7 @@ class Arrays:
             encoding = appended.attributes.get("encoding", "base64")
             if encoding not in ("raw", "base64"):
                 raise self.error(
-                    appended, f"appended data are encoded as ‘{encoding}’, expected raw or base64"
+                    appended, f"appended data are encoded as {shown(encoding)}, expected raw or base64"
                 )
             self.appended_base64 = encoding == "base64"
             mark = source.data.find(b"_", appended.begin, appended.begin + 4096)
@@ -80,19 +80,23 @@ class Arrays:
         """The numbers of a DataArray, flat, in this machine's byte order where that costs no copy."""
         name = element.attributes.get("type", "")
         if name not in TYPES:
-            raise self.error(element, f"{what} are of type ‘{name}’, expected one of {', '.join(TYPES)}")
+            raise self.error(element, f"{what} are of type {shown(name)}, expected one of {', '.join(TYPES)}")
         dtype = np.dtype(self.order + TYPES[name])
         form = element.attributes.get("format", "ascii")
         if form == "ascii":
             return self.ascii(element, dtype, what)
         if self.compressor not in ("", ZLIB):
-            raise self.error(element, f"{what} are compressed by {self.compressor}; only {ZLIB} can be read")
+            raise self.error(
+                element, f"{what} are compressed by {shown(self.compressor)}; only {ZLIB} can be read"
+            )
         if form == "binary":
             data = self.decoded(self.source.data[element.begin : self.content_end(element)], element, what)
         elif form == "appended":
             data = self.appended(element, what)
         else:
-            raise self.error(element, f"{what} have the format ‘{form}’, expected ascii, binary or appended")
+            raise self.error(
+                element, f"{what} have the format {shown(form)}, expected ascii, binary or appended"
+            )
         if len(data) % dtype.itemsize:
             raise self.error(
                 element, f"{what} are {len(data)} bytes, expected a multiple of {dtype.itemsize}"
@@ -119,7 +123,7 @@ class Arrays:
         start = self.appended_begin + (int(offset) if offset.isdigit() and len(offset) < 16 else -1)
         if not self.appended_begin <= start < len(self.source.data):
             raise self.error(
-                element, f"{what} should be at offset ‘{offset}’ of the appended data, behind their end"
+                element, f"{what} should be at offset {shown(offset)} of the appended data, behind their end"
             )
         if self.appended_base64:
             end = self.source.data.find(b"<", start)

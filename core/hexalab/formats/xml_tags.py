@@ -11,6 +11,7 @@ import re
 from dataclasses import dataclass, field
 
 from .source import Source
+from .text import shown
 
 TAG = re.compile(
     rb"<!--.*?-->|<\?.*?\?>|<(/?)([A-Za-z_][\w.:-]*)((?:\s+[\w.:-]+\s*=\s*(?:\"[^\"<]*\"|'[^'<]*'))*)\s*(/?)>",
@@ -57,8 +58,10 @@ def parse(source: Source, last: str) -> Element:
         name = match[2].decode()
         if match[1]:
             if len(open_elements) == 1 or open_elements[-1].name != name:
-                expected = open_elements[-1].name or "an opening tag"
-                raise source.error(f"</{name}> stands where {expected} should end", line_at=match.start())
+                expected = shown(open_elements[-1].name) if open_elements[-1].name else "an opening tag"
+                raise source.error(
+                    f"the end of {shown(name)} stands where {expected} should end", line_at=match.start()
+                )
             open_elements.pop().end = match.start()
             continue
         element = Element(name, attributes_of(match[3]), match.end(), match.end())
@@ -72,7 +75,8 @@ def parse(source: Source, last: str) -> Element:
                 raise source.error(f"elements are nested more than {DEEPEST} deep", line_at=match.start())
     if len(open_elements) > 1:
         raise source.error(
-            f"the file ends before </{open_elements[-1].name}>: it is cut short", line_at=len(source.data)
+            f"the file ends inside {shown(open_elements[-1].name)}: it is cut short",
+            line_at=len(source.data),
         )
     return root
 

@@ -104,7 +104,7 @@ def test_R8_arrays_of_another_length_are_left_out_with_a_note() -> None:
         "CELL_DATA 2\nSCALARS q float\nLOOKUP_TABLE default\n1 2\nPOINT_DATA 8\nSCALARS p int\n" + "1 " * 8
     )
     assert mesh.cell_data == {} and list(mesh.point_data) == ["p"]
-    assert "q has 2 entries for 1 cells" in mesh.notes[0]
+    assert "‘q’ has 2 entries for 1 cells" in mesh.notes[0]
 
 
 @pytest.mark.parametrize(

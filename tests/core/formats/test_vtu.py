@@ -157,10 +157,10 @@ GOOD = file(piece(CUBE, "0 1 2 3 4 5 6 7", 8, 8))
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        (b'type="UnstructuredGrid"', b'type="PolyData"', ["PolyData", "expected UnstructuredGrid"]),
+        (b'type="UnstructuredGrid"', b'type="PolyData"', ["‘PolyData’", "expected UnstructuredGrid"]),
         (b"<VTKFile", b"<XYZFile", ["VTKFile"]),
-        (b"</VTKFile>", b"", ["</VTKFile>", "cut short"]),
-        (b"</Cells>", b"", ["</Piece>"]),
+        (b"</VTKFile>", b"", ["inside ‘VTKFile’", "cut short"]),
+        (b"</Cells>", b"", ["‘Piece’", "‘Cells’"]),
         (b'NumberOfPoints="8"', b'NumberOfPoints="9"', ["24 numbers, expected 27"]),
         (b'NumberOfPoints="8"', b'NumberOfPoints="-8"', ["NumberOfPoints", "‘-8’"]),
         (b'NumberOfPoints="8"', b'NumberOfPoints="99999999999999999999"', ["NumberOfPoints"]),
