@@ -237,7 +237,7 @@ def _add_viewer(pages: Pages, output: Output, extras: dict[str, str]) -> None:
         script="../" + report.scripts["main"],
         worker="../" + report.scripts["worker"],
         runtime="../" + report.runtime,
-        styles=["../styles/tokens.css", "../styles/viewer.css"],
+        styles=[f"../styles/{name}.css" for name in ("tokens", "viewer", "controls", "details")],
         manifest="../" + extras["manifest"] if "manifest" in extras else "",
         favicon="../icon.svg",
         tables=viewer_tables(),
