@@ -14,7 +14,7 @@ from .diagnosis import Finding, diagnose, turn_round
 from .errors import HexaLabError, MeshReadError, MeshWriteError
 from .formats import FORMATS, write
 from .mesh import KINDS, Mesh
-from .quality import METRICS, Metric, histogram, quality, quality_many, statistics
+from .quality import METRICS, Metric, Validity, certify, histogram, quality, quality_many, statistics
 from .summary import summarise
 
 __version__ = "1.0.0"
@@ -29,6 +29,8 @@ __all__ = [
     "MeshReadError",
     "MeshWriteError",
     "Metric",
+    "Validity",
+    "certify",
     "diagnose",
     "histogram",
     "quality",

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from .. import FORMATS, METRICS, MeshReadError, read, summarise
+from .. import FORMATS, METRICS, MeshReadError, certify, read, summarise
 from ..mesh import Mesh
 from . import FINDING, MISUSE, complain
 from .tables import count, quality_table
@@ -48,8 +48,6 @@ def run(arguments: Namespace) -> int:
 
 def has_invalid_cell(mesh: Mesh) -> bool:
     """Whether the Jacobian of a cell is somewhere not positive."""
-    from ..quality.validity import certify
-
     return bool(np.any(certify(mesh).state == 0))
 
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ..attributes import average_corners
 from ..diagnosis import Finding
 from ..mesh import CORNERS_OF_KIND, KINDS, Array, Mesh
-from ..quality import METRICS, quality_many
+from ..quality import METRICS, certify, quality_many
 from .opened import Opened
 
 STATES = ("invalid", "valid", "undecided")
@@ -29,8 +29,6 @@ def inspect(opened: Opened, cell: int) -> dict[str, Any]:
         to value or list), `neighbours` (six cells, -1 outside), `validity` ("valid", "invalid" or
         "undecided").
     """
-    from ..quality.validity import certify
-
     mesh = opened.mesh
     kind = int(mesh.kinds[cell])
     corners = mesh.corners[np.array(CORNERS_OF_KIND[kind]), cell]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,13 +14,10 @@ from ..diagnosis import Finding, diagnose
 from ..errors import HexaLabError
 from ..filters.stack import FilterStack
 from ..mesh import Floats, Mesh
-from ..quality import METRICS, quality, statistics
+from ..quality import METRICS, Validity, certify, quality, statistics
 from ..status import OpenMesh
 from ..summary import STRUCTURE
 from ..surface import Drawing, Irregular, extract_irregular
-
-if TYPE_CHECKING:
-    from ..quality.validity import Validity
 
 DESCRIBED = (*STRUCTURE, "findings")
 """Parts of a description, to be asked for one by one."""
@@ -72,8 +69,6 @@ class Opened:
     @cached_property
     def validity(self) -> Validity:
         """Certified validity of every cell."""
-        from ..quality.validity import certify
-
         return certify(self.mesh)
 
     def described(self, part: str) -> dict[str, Any]:
