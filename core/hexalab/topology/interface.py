@@ -43,22 +43,40 @@ class Interface(NamedTuple):
 
 
 class InterfaceFinder:
-    """Finds interfaces one after the other, and remembers the last."""
+    """Finds interfaces one after the other, and remembers the last.
+
+    Parameters
+    ----------
+    faces : Faces
+    """
 
     def __init__(self, faces: Faces) -> None:
         self._faces = faces
         self._shown: NDArray[np.bool_] | None = None
-        self._parted: NDArray[np.bool_] | None = None
+        self._parted = np.zeros(faces.paired, dtype=bool)
+        self._last: Interface | None = None
 
     def find(self, shown: NDArray[np.bool_]) -> Interface:
-        """Faces with exactly one shown side.
+        """Faces with exactly one shown side; not to be changed, the same set of cells is given the same
+        arrays.
 
         Parameters
         ----------
         shown : (C,) bool
         """
+        if self._follow(shown) or self._last is None:
+            self._last = self._collect(shown)
+        return self._last
+
+    def inside(self, shown: NDArray[np.bool_]) -> NDArray[np.intp]:
+        """Rows of two cells of which one is shown."""
+        if self._follow(shown):
+            self._last = None
+        return np.flatnonzero(self._parted)
+
+    def _collect(self, shown: NDArray[np.bool_]) -> Interface:
         faces = self._faces
-        inside = self.inside(shown)
+        inside = np.flatnonzero(self._parted)
         outer = np.flatnonzero(shown[faces.cells[0, faces.paired :]]) + faces.paired
         second = ~shown[faces.cells[0][inside]]
         rows = np.concatenate([inside, outer])
@@ -71,23 +89,24 @@ class InterfaceFinder:
         local[turned] = faces.locals[1][inside[turned]]
         return Interface(rows, side, cells, local, len(inside))
 
-    def inside(self, shown: NDArray[np.bool_]) -> NDArray[np.intp]:
-        """Rows of two cells of which one is shown."""
+    def _follow(self, shown: NDArray[np.bool_]) -> bool:
+        """Bring `_parted`, which interior faces part shown from hidden, up to date; tell whether anything changed."""
         left = self._faces.cells[0, : self._faces.paired]
         right = self._faces.cells[1, : self._faces.paired]
-        if self._shown is not None and self._parted is not None:
+        if self._shown is None:
+            self._shown = shown.copy()
+        else:
             flipped = np.flatnonzero(shown != self._shown)
+            self._shown[flipped] = shown[flipped]
             if not len(flipped):
-                return np.flatnonzero(self._parted)
+                return False
             if len(flipped) * SMALL_CHANGE < len(shown):
                 rows: Ids = self._faces.rows[:, flipped].reshape(-1)
                 rows = rows[(rows >= 0) & (rows < self._faces.paired)]
                 self._parted[rows] = shown[left[rows]] != shown[right[rows]]
-                self._shown[flipped] = shown[flipped]
-                return np.flatnonzero(self._parted)
-        self._shown = shown.copy()
+                return True
         if shown.all() or not shown.any():
-            self._parted = np.zeros(self._faces.paired, dtype=bool)
+            self._parted[:] = False
         else:
-            self._parted = shown[left] != shown[right]
-        return np.flatnonzero(self._parted)
+            np.not_equal(shown[left], shown[right], out=self._parted)
+        return True

@@ -59,6 +59,13 @@ def test_F6_interface_keeps_nothing_of_the_callers_array() -> None:
     check(t, shown)
 
 
+def test_F6_the_same_cells_give_the_same_interface_at_no_cost() -> None:
+    t = topology(grid_cells(4, 4, 4))
+    shown = np.arange(64) > 20
+    assert t.interface(shown) is t.interface(shown.copy())
+    assert t.interface(shown) is not t.interface(~shown)
+
+
 @given(meshes, st.integers(0, 2**32 - 1), st.sampled_from([1, 16]))
 @settings(max_examples=80, deadline=None)
 def test_F5_stars_equal_a_search(cells: NDArray[np.int32], seed: int, layers: int) -> None:
