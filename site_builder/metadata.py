@@ -31,7 +31,9 @@ FORMAT_NAMES = {
     ".inp": "Abaqus", ".ovm": "OpenVolumeMesh",
 }  # fmt: skip
 
-TECHNIQUE = "Metrics of the Verdict library; edges by the cells around them; validity certified by Bézier bounds"
+TECHNIQUE = (
+    "Metrics of the Verdict library; edges by the cells around them; validity certified by Bézier bounds"
+)
 
 JsonLd = dict[str, Any]
 

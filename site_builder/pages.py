@@ -68,7 +68,9 @@ class Pages:
             bibtex=lambda source: bibtex([source.reference]),
             licence_address=lambda licence: metadata.LICENCES[licence],
             format_name=metadata.format_name,
-            og_picture="",
+            og_picture=next(
+                (m.picture_address for m in catalogue.meshes if m.picture_address in pictures), ""
+            ),
             json_ld=None,
         )
 
@@ -125,7 +127,6 @@ class Pages:
             highwire=metadata.highwire(source),
             show_cards=bool(pictured),
             some_unknown=any(mesh.facts.sj_min is None for mesh in source.meshes),
-            og_picture=pictured[0].picture_address if pictured else "",
             json_ld=metadata.source_json_ld(self._catalogue, source),
         )
 
@@ -143,7 +144,6 @@ class Pages:
             histogram=draw(mesh.facts.histogram) if mesh.facts.histogram else None,
             quality_rows=list(_quality_rows(mesh)),
             cite_mesh=self._cite_mesh(mesh),
-            og_picture=mesh.picture_address if mesh.picture_address in self._pictures else "",
             json_ld=metadata.mesh_json_ld(self._catalogue, mesh),
         )
 
@@ -165,7 +165,18 @@ class Pages:
 
     def _render(self, template: str, page: str, **values: Any) -> str:
         root = "../" * page.count("/")
+        picture = self._picture_of(values)
+        if picture:
+            values["og_picture"] = picture
         return self._environment.get_template(f"{template}.html.jinja").render(root=root, page=page, **values)
+
+    def _picture_of(self, values: dict[str, Any]) -> str:
+        """The picture that stands for a page: its mesh's, or that of its source's first mesh that has one."""
+        meshes = (
+            [values["mesh"]] if "mesh" in values else values["source"].meshes if "source" in values else []
+        )
+        found = (mesh.picture_address for mesh in meshes if mesh.picture_address in self._pictures)
+        return next(found, "")
 
 
 def sorted_items(mapping: dict[Any, Any]) -> list[tuple[Any, Any]]:

@@ -29,7 +29,6 @@ TYPES = {
 class SiteHandler(SimpleHTTPRequestHandler):
     """Files of one folder, to be asked for anew each time and to be sent only if they have changed."""
 
-    extensions_map = TYPES
     protocol_version = "HTTP/1.1"
 
     def end_headers(self) -> None:
@@ -37,6 +36,10 @@ class SiteHandler(SimpleHTTPRequestHandler):
         self.send_header("Cache-Control", "no-cache")
         self.send_header("X-Content-Type-Options", "nosniff")
         super().end_headers()
+
+    def guess_type(self, path: Any) -> str:
+        """The type by the file's ending."""
+        return TYPES.get(Path(path).suffix.lower(), TYPES[""])
 
     def list_directory(self, path: Any) -> None:
         """A folder without index.html isn't shown."""

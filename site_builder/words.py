@@ -34,7 +34,8 @@ def number(value: float | None) -> str:
         return "0"
     size = abs(value)
     if size < 0.0005 or size >= 1e6:
-        text = f"{value:.3e}"
+        mantissa, exponent = f"{value:.3e}".split("e")
+        text = f"{mantissa}e{int(exponent)}"
     elif size >= 1000:
         text = f"{value:,.0f}"
     else:

@@ -1,0 +1,74 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { find, plain, readIndex } from "../../../static/catalogue/index.js";
+import { decimal } from "../../../static/catalogue/results.js";
+import { compare } from "../../../static/catalogue/sorting.js";
+
+const INDEX = readIndex({
+  version: 1,
+  facets: [
+    { id: "origin", options: ["own", "published"] },
+    { id: "cells", options: ["s", "m", "unknown"] },
+  ],
+  sources: [
+    ["grids", "Grids & more", "Ana Núñez", 2020, "Journal", "10.5555/a", "Núñez 2020"],
+    ["balls", "Balls", "J. Doe", 2023, "Journal", "", "Doe 2023"],
+  ],
+  meshes: [
+    [0, "cube", "Cube", 512, 1, 1, 1, 0, 1, "00"],
+    [0, "bar", "Bar", 4000, 0.5, 0.9, 1, 12, 0, "01"],
+    [1, "bunny", "Bunny", null, null, null, null, null, 0, "12"],
+    [1, "ball", "Ball 10", 99, -0.2, 0.5, 1, 3, 0, "10"],
+  ],
+});
+const NOTHING = { words: "", source: "", sort: "", chosen: {} };
+
+/** @param {object} query */
+const names = (query) => find(INDEX, { ...NOTHING, ...query }).rows.map((row) => row.name);
+
+test("C2 all is found when nothing is asked, in its order", () => {
+  assert.deepEqual(names({}), ["Cube", "Bar", "Bunny", "Ball 10"]);
+});
+
+test("C2 words are found in names, titles, authors, years and DOIs, without accents", () => {
+  assert.deepEqual(names({ words: "NUNEZ bar" }), ["Bar"]);
+  assert.deepEqual(names({ words: "10.5555" }), ["Cube", "Bar"]);
+  assert.deepEqual(names({ words: "2023 bun" }), ["Bunny"]);
+  assert.deepEqual(names({ words: "nowhere" }), []);
+  assert.equal(plain("Núñez ℓ"), "nunez l");
+});
+
+test("C2 options of one facet add up, facets narrow each other", () => {
+  assert.deepEqual(names({ chosen: { cells: ["s", "unknown"] } }), ["Cube", "Bunny", "Ball 10"]);
+  assert.deepEqual(names({ chosen: { cells: ["s"], origin: ["published"] } }), ["Ball 10"]);
+  assert.deepEqual(names({ source: "balls" }), ["Bunny", "Ball 10"]);
+});
+
+test("C2 counts say what a further choice would find", () => {
+  const { counts } = find(INDEX, { ...NOTHING, chosen: { origin: ["own"] } });
+  assert.deepEqual(counts, [
+    [2, 2],
+    [1, 1, 0],
+  ]);
+});
+
+test("C2 what is not known comes last, whichever way it is sorted", () => {
+  assert.deepEqual(names({ sort: "cells" }), ["Ball 10", "Cube", "Bar", "Bunny"]);
+  assert.deepEqual(names({ sort: "-cells" }), ["Bar", "Cube", "Ball 10", "Bunny"]);
+  assert.deepEqual(names({ sort: "sj" }), ["Ball 10", "Bar", "Cube", "Bunny"]);
+  assert.deepEqual(names({ sort: "year" }), ["Bunny", "Ball 10", "Cube", "Bar"]);
+  assert.deepEqual(names({ sort: "name" }), ["Ball 10", "Bar", "Bunny", "Cube"]);
+});
+
+test("C2 names with numbers sort as people count", () => {
+  assert.ok(compare("mesh 9", "mesh 10", false) < 0);
+  assert.ok(compare(null, 3, true) > 0);
+});
+
+test("C2 numbers read as on the pages made at build", () => {
+  assert.equal(decimal(0.12345), "0.123");
+  assert.equal(decimal(-1), "−1.000");
+  assert.equal(decimal(0.0001234), "1.234e−4");
+  assert.equal(decimal(0), "0");
+  assert.equal(decimal(null), "–");
+});
