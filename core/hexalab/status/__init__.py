@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import json
-from copy import deepcopy
 from typing import Any
 
 from ..errors import HexaLabError
 from .check import Problem, check, shown
 from .original import OpenMesh, from_original, is_original
-from .schema import DEFAULTS, SCHEMA, VERSION
+from .schema import DEFAULTS, SCHEMA, VERSION, copied
 
 __all__ = [
     "DEFAULTS",
@@ -35,7 +34,7 @@ def merge(status: dict[str, Any], partial: dict[str, Any]) -> dict[str, Any]:
         if isinstance(old, dict) and isinstance(part, dict):
             merged[name] = merge(old, part)
         else:
-            merged[name] = deepcopy(part)
+            merged[name] = copied(part)
     return merged
 
 

@@ -109,12 +109,19 @@ def _checked_object(value: dict[str, Any], schema: Schema, path: str, problems: 
 
 def _checked_list(value: list[Any], schema: Schema, path: str, problems: list[Problem]) -> Any:
     items = schema["items"]
+    if items.get("type") == "integer" and _are_sound_integers(value, items["minimum"]):
+        return value
     checked = [_checked(part, items, f"{path}[{place}]", problems) for place, part in enumerate(value)]
     if items.get("type") == "object":
         return [{**default_of(items), **part} for part in checked if not isinstance(part, _Wrong)]
     right = [part for part in checked if not isinstance(part, _Wrong)]
     whole = len(right) == len(value)
     return right if whole or schema.get("minItems") is None else WRONG
+
+
+def _are_sound_integers(values: list[Any], minimum: int) -> bool:
+    """Whether a list is right as a whole: thousands of cells may be picked, and a slider waits for the answer."""
+    return set(map(type, values)) <= {int} and min(values, default=minimum) >= minimum
 
 
 def _fits(value: Any, schema: Schema) -> bool:

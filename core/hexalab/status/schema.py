@@ -6,7 +6,6 @@ of the mesh's extent and its target is relative to the extent's centre: a status
 
 from __future__ import annotations
 
-from copy import deepcopy
 from typing import Any
 
 Schema = dict[str, Any]
@@ -183,10 +182,19 @@ SCHEMA: Schema = {
 """JSON Schema of the settings document."""
 
 
+def copied(value: Any) -> Any:
+    """Copy a JSON value; quicker than `copy.deepcopy`, for lists of many cells."""
+    if isinstance(value, dict):
+        return {name: copied(part) for name, part in value.items()}
+    if isinstance(value, list):
+        return [copied(part) if isinstance(part, dict | list) else part for part in value]
+    return value
+
+
 def default_of(schema: Schema) -> Any:
     """Return the default that a schema names, or for an object the one that its properties name."""
     if "default" in schema:
-        return deepcopy(schema["default"])
+        return copied(schema["default"])
     return {name: default_of(part) for name, part in schema["properties"].items()}
 
 

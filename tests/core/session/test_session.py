@@ -11,6 +11,8 @@ import numpy as np
 import pytest
 
 from hexalab.errors import HexaLabError, MeshReadError
+from hexalab.formats import write_bytes
+from hexalab.mesh import Mesh
 from hexalab.packing import unpack
 from hexalab.quality import METRICS, quality_many
 from hexalab.session import DESCRIBED, Session
@@ -420,6 +422,16 @@ def test_R9_findings_and_their_cells(twisted: bytes) -> None:
     assert any(session.finding_cells(finding["id"]).tolist() == [1] for finding in told["findings"])
     with pytest.raises(HexaLabError, match="found no 'x'"):
         session.finding_cells("x")
+
+
+def test_R9_of_a_finding_about_vertices_the_cells_around_them_are_given() -> None:
+    cube = np.array([[x, y, z] for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))], float)
+    apart = np.concatenate([cube + np.array([x, 0, 0]) for x in (0, 1, 5)])
+    mesh = Mesh.from_cells(apart, np.arange(24))
+    session = Session()
+    session.open("apart.mesh", write_bytes(mesh, "mesh"))
+    assert "coincident_vertices" in {finding["id"] for finding in session.describe()["findings"]}
+    assert session.finding_cells("coincident_vertices").tolist() in ([0, 1], [1], [0])
 
 
 def test_R9_the_description_comes_in_parts(block: Session) -> None:
