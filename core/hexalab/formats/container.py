@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import zlib
 
 from .source import Source
@@ -16,6 +17,8 @@ times."""
 
 ALWAYS_FINE = 64 * 2**20
 STEP = 4 * 2**20
+
+CONTENT = re.compile(rb"[^\0\s]")
 
 NO_MESHES = (
     (b"\x89PNG\r\n", "a PNG picture"),
@@ -48,7 +51,7 @@ def unwrapped(source: Source) -> Source:
     """
     if source.data.startswith(GZIP):
         source = Source(inflated(source), source.name)
-    if not source.data.strip(b"\0 \t\r\n"):
+    if not CONTENT.search(source.data):
         raise source.error("the file is empty, expected a mesh")
     for magic, what in NO_MESHES:
         if source.data.startswith(magic):

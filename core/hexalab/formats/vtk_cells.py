@@ -13,12 +13,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import MeshReadError
-from ..mesh import CHUNK, HEXAHEDRON, Array, Floats, Ids
+from ..mesh import HEXAHEDRON, Array, Floats, Ids
 from .assembly import Assembly, CellBlock, check_ids
+from .ids import within_int32
 from .row_chain import ErrorAt
 from .vtk_types import CELL_TYPES, HEXAHEDRON_TYPE, VOXEL, CellType
 
 VOXEL_SAMPLE = 4096
+"""Voxels that tell in which order all of them were written."""
+
+GATHERED = 4096
+"""Rows that are put into our order at a time: few enough that reading them column by column stays in cache."""
 
 
 @dataclass
@@ -159,21 +164,23 @@ def gathered(rows: Rows, which: Array, order: tuple[int, ...]) -> Ids:
     step = int(rows.starts[1] - rows.starts[0]) if rows.uniform and count > 1 else 0
     whole = step > 0 and count == len(rows.starts)
     wide = rows.ids.dtype.itemsize > 4 or rows.ids.dtype.kind == "u"
-    for start in range(0, count, CHUNK):
-        part = slice(start, min(start + CHUNK, count))
+    native = rows.ids.dtype.newbyteorder("=")
+    for start in range(0, count, GATHERED):
+        part = slice(start, min(start + GATHERED, count))
         if whole:
             first = int(rows.starts[part.start])
-            table = rows.ids[first : first + step * (part.stop - part.start - 1) + rows.uniform]
-            table = np.lib.stride_tricks.as_strided(
-                table, (part.stop - part.start, rows.uniform), (step * table.itemsize, table.itemsize)
-            )
-            table = table.astype(table.dtype.newbyteorder("="))
-            source = [table[:, own] for own in order]
+            length = part.stop - part.start
+            stretch = rows.ids[first : first + step * (length - 1) + rows.uniform]
+            strides = (step * stretch.itemsize, stretch.itemsize)
+            table = np.lib.stride_tricks.as_strided(stretch, (length, rows.uniform), strides)
+            table = table.astype(table.dtype.newbyteorder("="), copy=False)
+            table = within_int32(table).astype(np.int32) if wide else table
+            columns = [table[:, own] for own in order]
         else:
             begin = rows.starts[which[part]]
-            source = [rows.ids[begin + own].astype(rows.ids.dtype.newbyteorder("=")) for own in order]
-        for corner, values in zip(out, source, strict=True):
-            corner[part] = np.clip(values, -(2**31) + 1, 2**31 - 1) if wide else values
+            columns = [within_int32(rows.ids[begin + own].astype(native)) for own in order]
+        for corner, values in zip(out, columns, strict=True):
+            corner[part] = values
     return out
 
 
@@ -208,6 +215,8 @@ def spans(offsets: Array, size: int, error_at: ErrorAt) -> tuple[Array, Array, i
     if len(offsets) == 0:
         return np.empty(0, np.intp), np.empty(0, np.int32), 0
     sizes = np.diff(offsets)
+    if len(sizes) and offsets[0] == 0 and 0 <= offsets[-1] <= size and (sizes == sizes[0]).all():
+        return offsets[:-1].astype(np.intp, copy=False), sizes.astype(np.int32), int(sizes[0])
     wrong = np.concatenate([[offsets[0] != 0], (sizes < 0) | (offsets[1:] > size)])
     if wrong.any():
         index = int(np.argmax(wrong))
@@ -216,5 +225,4 @@ def spans(offsets: Array, size: int, error_at: ErrorAt) -> tuple[Array, Array, i
             "the connectivity",
             index,
         )
-    uniform = int(sizes[0]) if len(sizes) and (sizes == sizes[0]).all() else 0
-    return offsets[:-1].astype(np.intp, copy=False), sizes.astype(np.int32), uniform
+    return offsets[:-1].astype(np.intp, copy=False), sizes.astype(np.int32), 0
