@@ -15,7 +15,7 @@ from .page import viewer
 ORIGINAL_OPEN = {"25k": 606, "216k": 1696, "1M": 7839}
 """What the original application takes, from file to picture [ms]: SPEC, section P."""
 
-STEPS = ("read", "topology", "surface", "upload", "firstPicture", "quality")
+STEPS = ("read", "topology", "surface", "upload", "first_picture", "quality")
 
 SLICE = """async (offset) => {
     const began = performance.now();

@@ -47,4 +47,4 @@ def run(folder: Path) -> None:
 
 def _light(page: Page, mode: str) -> list[float | None]:
     timings: dict[str, Any] = page.evaluate(LIGHT, mode)
-    return [timings.get("firstAO"), timings.get("AO")]
+    return [timings.get("first_light"), timings.get("lighting")]

@@ -18,12 +18,19 @@ export class HexaLab {
   }
 
   /**
-   * Open a mesh.
+   * Open a mesh. The picture stands before the promise resolves: that waits for the slow part of the summary too.
    *
    * @param {File | Blob | string} fileOrUrl a file, an address, or "source/mesh" of the catalogue
    * @returns {Promise<any>} the mesh's summary: name, vertices, cells, kinds, boundary_faces, ...
    */
   async open(fileOrUrl) {
+    await this.#opened(fileOrUrl);
+    await this.#app.measures.filled;
+    return this.summary();
+  }
+
+  /** @param {File | Blob | string} fileOrUrl */
+  async #opened(fileOrUrl) {
     if (fileOrUrl instanceof Blob) {
       const file = fileOrUrl instanceof File ? fileOrUrl : new File([fileOrUrl], "mesh");
       return this.#app.openFiles([file]);
@@ -77,9 +84,9 @@ export class HexaLab {
     return this.#app.client.call("quality", [metric]);
   }
 
-  /** What is drawn at the moment: faces, triangles, edges, cells. @returns {any} */
+  /** What is drawn at the moment: faces, triangles, edges, cells, and how many frames so far. @returns {any} */
   drawn() {
-    return this.#app.scene.drawn();
+    return { ...this.#app.scene.drawn(), frames: this.#app.scene.frames };
   }
 
   /** Milliseconds of the last boot, read, topology, quality, surface, upload, first_picture, slice, ambient_occlusion. @returns {Record<string, number>} */

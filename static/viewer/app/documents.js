@@ -39,7 +39,7 @@ export class Documents {
 
   /** The present status as a document. */
   text() {
-    return `${JSON.stringify(this.#app.store.status, null, 2)}\n`;
+    return documentText(this.#app.store.status);
   }
 
   /** @param {{ sha256?: string, name?: string, cells?: number }} mesh */
@@ -60,6 +60,17 @@ export class Documents {
       action: { name: "open it", press },
     });
   }
+}
+
+/**
+ * A status as text: version and mesh first, lists of numbers in one line.
+ *
+ * @param {any} status
+ */
+export function documentText({ version, mesh, ...settings }) {
+  const text = JSON.stringify({ version, mesh, ...settings }, null, 2);
+  const inOneLine = text.replace(/\[\n\s+([^[\]{}]*?)\n\s+\]/g, (_, list) => `[${list.replace(/\n\s+/g, " ")}]`);
+  return `${inOneLine}\n`;
 }
 
 /** @param {string} text @param {string} from @returns {any} */

@@ -80,12 +80,12 @@ export class Drawing {
 
   /** @param {any} status */
   async #ask(status) {
-    const began = performance.now();
     try {
       const answer = await this.#client.call("update", [status], { replace: "update" });
       this.#messages.settle("update");
       this.#take(answer);
-      const timings = { ...this.#facts.get("timings"), ...answer.timings, slice: performance.now() - began };
+      const slice = this.#client.milliseconds?.update;
+      const timings = { ...this.#facts.get("timings"), ...answer.timings, slice };
       this.#facts.set({ timings });
     } catch (error) {
       if (!(error instanceof Superseded)) this.#messages.error(error, { topic: "update" });

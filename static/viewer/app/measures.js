@@ -16,8 +16,16 @@ export class Measures {
     app.store.on("histogram.bins", () => this.#measure());
   }
 
-  /** Everything about a mesh that was just opened. */
-  async fill() {
+  /** Resolves when everything about the mesh that was opened last is known. @type {Promise<void>} */
+  filled = Promise.resolve();
+
+  /** Everything about a mesh that was just opened. @returns {Promise<void>} */
+  fill() {
+    this.filled = this.#fill();
+    return this.filled;
+  }
+
+  async #fill() {
     const { facts, drawing, client } = this.#app;
     await this.#measure();
     const summary = facts.get("summary");
@@ -25,7 +33,7 @@ export class Measures {
     if (!description || facts.get("summary") !== summary) return;
     const depths = description.cells_per_depth?.length;
     facts.set({ description, ...(depths ? { layers: depths } : {}) });
-    this.#app.note({ topology: client.milliseconds?.describe });
+    this.#app.note({ describe: client.milliseconds?.describe });
     await drawing.update({});
   }
 

@@ -67,11 +67,7 @@ export class Opening {
       this.#current = source;
       messages.settle("open");
       await this.#begin(source, summary, previewed);
-      this.#app.note({
-        ...client.milliseconds_of?.("open"),
-        read: summary.timings?.read ?? client.milliseconds?.open,
-      });
-      this.#app.note({ first_picture: performance.now() - began });
+      this.#app.note({ ...summary.timings, first_picture: performance.now() - began });
       task.end();
       this.#app.measures.fill();
       return summary;
