@@ -19,7 +19,8 @@ await pyodide.loadPackage(carrier, { messageCallback: () => {} });
 pyodide.mountNodeFS("/project", root);
 pyodide.mountNodeFS("/packages", resolve(sitePackages));
 
-const exit = pyodide.runPython(`
+const exit = pyodide.runPython(
+  `
 import importlib.util, os, sys
 from pathlib import Path
 
@@ -43,5 +44,7 @@ sys.dont_write_bytecode = True
 os.chdir("/project")
 import pytest
 int(pytest.main(ARGUMENTS))
-`, { globals: pyodide.toPy({ ARGUMENTS: ["-p", "no:cacheprovider", ...pytestArguments] }) });
+`,
+  { globals: pyodide.toPy({ ARGUMENTS: ["-p", "no:cacheprovider", ...pytestArguments] }) },
+);
 process.exit(exit);

@@ -51,7 +51,11 @@ def rewrite(data, leave_out, optimize):
 `);
 const rewrite = pyodide.globals.get("rewrite");
 for (const { source, target, leave_out = [], optimize = 2 } of JSON.parse(readFileSync(plan, "utf8"))) {
-  const result = rewrite(pyodide.toPy(new Uint8Array(readFileSync(source))), pyodide.toPy(leave_out), optimize);
+  const result = rewrite(
+    pyodide.toPy(new Uint8Array(readFileSync(source))),
+    pyodide.toPy(leave_out),
+    optimize,
+  );
   const buffer = result.getBuffer();
   writeFileSync(target, buffer.data);
   buffer.release();

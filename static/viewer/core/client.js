@@ -72,7 +72,10 @@ export class CoreClient extends EventTarget {
       };
       worker.onerror = (event) => {
         event.preventDefault?.();
-        const error = new CoreError({ kind: "WorkerError", message: event.message || "The core could not start." });
+        const error = new CoreError({
+          kind: "WorkerError",
+          message: event.message || "The core could not start.",
+        });
         reject(error);
         if (this.#booted) this.restart();
       };

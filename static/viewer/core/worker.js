@@ -5,7 +5,7 @@
  * File bytes come in as an ArrayBuffer and are copied once into Python.
  */
 
-/** @typedef {{id: number, method: string, args: unknown[]}} Request */
+/** @typedef {{id: number, method: string, args: unknown[]}} Question */
 
 /** @type {any} */
 let pyodide;
@@ -76,12 +76,16 @@ function describeError(error) {
     const lines = error.message.trimEnd().split("\n");
     const last = lines.findLastIndex((/** @type {string} */ line) => /^[\w.]+(:|$)/.test(line));
     const [, path, message] = /^([\w.]+):?\s*([\s\S]*)$/.exec(lines.slice(last).join("\n")) ?? [];
-    return { kind: (path ?? error.type).split(".").pop() ?? error.type, message: message ?? "", fatal: false };
+    return {
+      kind: (path ?? error.type).split(".").pop() ?? error.type,
+      message: message ?? "",
+      fatal: false,
+    };
   }
   return { kind: error?.name ?? "Error", message: String(error?.message ?? error), fatal: true };
 }
 
-/** @param {Request} request */
+/** @param {Question} question */
 function answer({ id, method, args }) {
   const began = performance.now();
   /** @type {any[]} */

@@ -65,7 +65,10 @@ test("R10 an error of Python rejects the call by its kind, and the next call goe
   boot(worker);
   const broken = core.call("open", ["a.mesh", new ArrayBuffer(3)]);
   const next = core.call("schema");
-  worker.reply({ id: 1, error: { kind: "MeshReadError", message: "a.mesh: the file is empty", fatal: false } });
+  worker.reply({
+    id: 1,
+    error: { kind: "MeshReadError", message: "a.mesh: the file is empty", fatal: false },
+  });
   await assert.rejects(broken, (error) => error instanceof CoreError && error.kind === "MeshReadError");
   worker.reply({ id: 2, result: "fine" });
   assert.equal(await next, "fine");
@@ -79,7 +82,10 @@ test("V9 a worker that dies is replaced; calls under way are rejected and the pa
   for (const name of ["died", "restarted"]) core.addEventListener(name, () => told.push(name));
   const lost = core.call("open", ["a.mesh", new ArrayBuffer(1)]);
   const waiting = core.call("schema");
-  worker.reply({ id: 1, error: { kind: "RuntimeError", message: "memory access out of bounds", fatal: true } });
+  worker.reply({
+    id: 1,
+    error: { kind: "RuntimeError", message: "memory access out of bounds", fatal: true },
+  });
   await assert.rejects(lost, { message: "memory access out of bounds" });
   await assert.rejects(waiting, { kind: "WorkerError" });
   assert.ok(worker.terminated);
