@@ -45,9 +45,9 @@ KERNELS: dict[int, tuple[Callable[[], Any], Kernels]] = {
         other_kinds.tetrahedra,
         {
             "distortion": other_kinds.tetrahedron_distortion,
-            "edge_ratio": other_kinds.edge_ratio,
+            "edge_ratio": other_kinds.tetrahedron_edge_ratio,
             "equiangle_skew": other_kinds.tetrahedron_equiangle_skew,
-            "jacobian": other_kinds.jacobian,
+            "jacobian": other_kinds.tetrahedron_jacobian,
             "scaled_jacobian": other_kinds.tetrahedron_scaled_jacobian,
             "shape": other_kinds.tetrahedron_shape,
             "volume": other_kinds.tetrahedron_volume,

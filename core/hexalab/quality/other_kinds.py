@@ -54,6 +54,10 @@ def wedges() -> CellBlock:
     return CellBlock(WEDGE, WEDGE_EDGES, WEDGE_CORNERS)
 
 
+BLOCKS = {TETRAHEDRON: tetrahedra, PYRAMID: pyramids, WEDGE: wedges}
+"""What makes an empty block of each kind."""
+
+
 def jacobian(block: CellBlock, out: Floats) -> None:
     """Smallest determinant over corners (base corners of a pyramid); +-inf from 1e30 on."""
     np.min(block.determinants, axis=0, out=out)
@@ -61,26 +65,45 @@ def jacobian(block: CellBlock, out: Floats) -> None:
 
 
 def edge_ratio(block: CellBlock, out: Floats) -> None:
-    """Longest over shortest edge; inf where the shortest, squared, is below 2.2e-15 of the squared box diagonal."""
+    """Longest over shortest edge; inf where one vanishes."""
     shortest = block.lengths.min(axis=0)
     np.divide(block.lengths.max(axis=0), shortest, out=out)
-    out[shortest**2 <= TOLERANCE * block.size**2] = inf
+    out[shortest == 0] = inf
+    overflow(out)
+
+
+def tetrahedron_edge_ratio(block: CellBlock, out: Floats) -> None:
+    """Longest over shortest edge; inf where the shortest, squared, is below 2.2e-15 of the squared box diagonal."""
+    edge_ratio(block, out)
+    out[block.lengths.min(axis=0) ** 2 <= TOLERANCE * block.size**2] = inf
+
+
+def tetrahedron_jacobian(block: CellBlock, out: Floats) -> None:
+    """Six times the volume; +-inf from 1e30 on."""
+    np.copyto(out, _tetrahedron_determinant(block))
+    overflow(out)
+
+
+def _tetrahedron_determinant(block: CellBlock) -> Floats:
+    """w.(-v x u): the order in which Verdict takes the edges, to round alike."""
+    u, v, w = block.vectors[0]
+    return determinant(w, -v, u)
 
 
 def tetrahedron_volume(block: CellBlock, out: Floats) -> None:
     """A sixth of the determinant; +-inf from 1e30 on."""
-    np.divide(block.determinants[0], 6, out=out)
+    np.divide(_tetrahedron_determinant(block), 6, out=out)
     overflow(out)
 
 
 def tetrahedron_corner_sum(block: CellBlock, out: Floats) -> None:
     """Six times the volume: what relative size squared starts from."""
-    np.copyto(out, block.determinants[0])
+    np.copyto(out, _tetrahedron_determinant(block))
 
 
 def tetrahedron_scaled_jacobian(block: CellBlock, out: Floats) -> None:
     """sqrt(2) det / largest product of the three edges at a corner; 0 where no edge has length."""
-    det = block.determinants[0]
+    det = _tetrahedron_determinant(block)
     products = [block.lengths[list(edges)].prod(axis=0) for edges in AROUND_CORNERS]
     largest = np.maximum(np.max(products, axis=0), np.abs(det))
     np.divide(sqrt(2) * det, largest, out=out)
@@ -139,6 +162,7 @@ def pyramid_scaled_jacobian(block: CellBlock, out: Floats) -> None:
 def pyramid_shape(block: CellBlock, out: Floats) -> None:
     """Shape of the base, times the cosine between the axis and the base's normal, times min(r, 1/r).
 
+    0 where base or height is not positive, or a base corner's squared edges add up to less than 2.2e-15 (with a unit!).
     r is the height over sqrt(1/2) times the longest edge, 1 for the ideal pyramid. Verdict takes the normal at the
     base's first corner, and of its first two edges only the shorter counts for the longest: so do we.
     """
@@ -156,7 +180,8 @@ def pyramid_shape(block: CellBlock, out: Floats) -> None:
     ratio = height / (longest * sqrt(0.5))
     np.multiply(quad, height / np.sqrt(times(axis, axis)), out=out)
     out *= np.minimum(ratio, 1 / ratio)
-    out[~((quad > 0) & (height > 0))] = 0
+    small = np.min([squares[i - 1] + squares[i] for i in range(4)], axis=0) <= TOLERANCE
+    out[~((quad > 0) & (height > 0)) | small] = 0
 
 
 def pyramid_equiangle_skew(block: CellBlock, out: Floats) -> None:
@@ -184,14 +209,13 @@ def _wedge_volume(block: CellBlock) -> Floats:
 
 
 def wedge_scaled_jacobian(block: CellBlock, out: Floats) -> None:
-    """Smallest 2 / sqrt(3) det / (|u| |v| |w|) over the corners; 0 where an edge has no length."""
+    """Smallest 2 / sqrt(3) det / (|u| |v| |w|) over the corners that have three edges of some length."""
     values = []
     for triple, det in zip(block.vectors, block.determinants, strict=True):
         u, v, w = (times(x, x) for x in triple)
         values.append(2 / sqrt(3) * det / np.sqrt(u * v * w))
-    np.min(values, axis=0, out=out)
-    short = block.lengths.min(axis=0) ** 2 <= TOLERANCE * block.size**2
-    out[short] = 0
+    np.fmin.reduce(values, axis=0, out=out)
+    out[np.isnan(out)] = -inf
 
 
 def wedge_shape(block: CellBlock, out: Floats) -> None:
@@ -217,8 +241,10 @@ def wedge_mean_aspect_frobenius(block: CellBlock, out: Floats) -> None:
 
 
 def _finish_wedge_aspect(block: CellBlock, out: Floats) -> None:
+    """Divide; inf where 3 (sqrt(2) det)^(2/3) of a corner is not above 2.2e-15 of the squared box diagonal."""
     out /= WEDGE_ASPECT
-    out[~np.isfinite(out)] = inf
+    norms = 3 * np.cbrt(np.sqrt(2) * np.abs(block.determinants).min(axis=0)) ** 2
+    out[~(norms > TOLERANCE * block.size**2)] = inf
     overflow(out)
 
 

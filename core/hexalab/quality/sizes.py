@@ -18,45 +18,64 @@ NEEDS = {
 }
 """What each of these metrics is made from."""
 
-DETERMINANTS = {HEXAHEDRON: 8, TETRAHEDRON: 6}
-"""How many times the cell's size `corner_sum` holds, for the kinds that have these metrics."""
-
-
 def with_sizes(mesh: Mesh, values: dict[str, Floats], wanted: list[str]) -> None:
     """Add the wanted size metrics to `values`, from what `NEEDS` names.
 
     Relative size squared is min(D, 1/D)^2, D the cell's size over the mean volume of the mesh's cells of its kind.
-    For hexahedra Verdict takes as size the mean determinant of the corners, not the volume. 0 where the sum of
-    determinants, or the mean volume, is not above 2.2e-15 (with a unit!). A negative mean volume makes Verdict take the
-    root of a negative number: -inf then, where the cell's size is positive.
     """
     if not any(metric in NEEDS for metric in wanted):
         return
     size = np.full(mesh.cell_count, np.nan)
-    for kind, times in DETERMINANTS.items():
+    for kind in (HEXAHEDRON, TETRAHEDRON):
         cells = mesh.kinds == kind
         if cells.any():
-            size[cells] = _relative_size(values["corner_sum"][cells], times, values["volume"][cells])
+            total = values["corner_sum"][cells]
+            if kind == HEXAHEDRON:
+                size[cells] = _of_hexahedra(total, np.clip(values["volume"][cells], -HUGE, HUGE))
+            else:
+                size[cells] = _of_tetrahedra(total)
+    hexahedra = mesh.kinds == HEXAHEDRON
     for metric in wanted:
         if metric == "relative_size_squared":
             values[metric] = size
         elif metric in NEEDS:
             factor = values[NEEDS[metric][-1]]
             with np.errstate(invalid="ignore"):
-                values[metric] = np.where(factor == 0, np.where(np.isnan(size), np.nan, 0.0), factor * size)
+                values[metric] = np.where((factor == 0) & hexahedra, 0.0, factor * size)
 
 
-def _relative_size(total: Floats, times: int, volumes: Floats) -> Floats:
-    mean = float(np.clip(volumes, -HUGE, HUGE).mean())
-    flat = ~(total > TOLERANCE)
+def _of_hexahedra(total: Floats, volumes: Floats) -> Floats:
+    """Relative size squared from the sum of the corners' determinants: Verdict's size is their mean, not the volume.
+
+    0 where that sum, or the mean volume, is not above 2.2e-15 (with a unit!). A negative mean volume makes Verdict take
+    the root of a negative number: -inf then, where the sum is positive.
+    """
+    mean = float(volumes.mean())
     if mean < 0:
         out = np.full(total.shape, -inf)
-    elif not mean > TOLERANCE:
-        out = np.zeros(total.shape)
+    elif mean > TOLERANCE:
+        out = _squared_ratio(total / (8 * mean))
     else:
-        out = total / (times * mean)
-        with np.errstate(divide="ignore"):
-            np.minimum(out, 1 / out, out=out)
-        out *= out
-    out[flat] = 0
+        out = np.zeros(total.shape)
+    out[~(total > TOLERANCE)] = 0
     return out
+
+
+def _of_tetrahedra(total: Floats) -> Floats:
+    """Relative size squared from six times the volume; 0 where D or 1/D is not above 2.2e-15.
+
+    A mean volume that is not positive makes Verdict take the root of a negative number: -inf for every cell then.
+    """
+    mean = float(total.mean()) / 6
+    if not mean > 0:
+        return np.full(total.shape, -inf)
+    ratio = total / (6 * mean)
+    out = _squared_ratio(ratio)
+    out[~(ratio > TOLERANCE)] = 0
+    return out
+
+
+def _squared_ratio(ratio: Floats) -> Floats:
+    with np.errstate(divide="ignore"):
+        smaller = np.minimum(ratio, 1 / ratio)
+    return np.asarray(smaller * smaller)
