@@ -226,9 +226,10 @@ class Text:
             start = end
 
     def first_row_width(self) -> int:
-        """How many words stand on the next line that has any."""
-        match = re.compile(rb"[^\r\n]*\S[^\r\n]*").search(self.data, self.position)
-        return len(match[0].split()) if match else 0
+        """How many words stand on the next line that has any, or on its first kilobyte."""
+        start = self.word_offset()
+        line = re.split(rb"[\r\n]", self.data[start : start + 1024], maxsplit=1)[0]
+        return len(line.split())
 
     def interruption(self, piece: bytes, dtype: DTypeLike, what: str, found: int, count: int) -> Interrupted:
         """Find what is not a number in the piece at the present position."""

@@ -23,7 +23,8 @@ VOXEL_SAMPLE = 4096
 """Voxels that tell in which order all of them were written."""
 
 GATHERED = 4096
-"""Rows that are put into our order at a time: few enough that reading them column by column stays in cache."""
+"""Rows that are put into our order at a time: few enough that reading them column by column stays in
+cache."""
 
 
 @dataclass

@@ -9,15 +9,15 @@ import struct
 import tempfile
 from collections.abc import Callable
 from functools import cache
+from importlib.util import find_spec
 from pathlib import Path
 
-import meshio
-
-from tests.core.formats.samples import MESHIO_NAMES, grid, mixed
+from hexalab.formats import write_bytes
+from hexalab.mesh import Mesh
+from tests.core.formats.samples import HEX_22, INP_CELLS, INP_NODES, MESHIO_NAMES, grid, mixed
 from tests.core.formats.test_medit import text_of
 from tests.core.formats.test_meditb import meshb
 from tests.core.formats.test_openvolumemesh import ovm
-from tests.core.formats.vtk_files import legacy, unstructured_grid, xml
 
 NUMBERS = [
     b"0", b"-1", b"1", b"7", b"2147483647", b"2147483648", b"4294967296", b"-9223372036854775808",
@@ -29,13 +29,29 @@ WORDS = (-1, 0, 1, 3, 8, 255, 2**16, 2**31 - 1, 2**31, 2**32 - 1, 2**40, 2**62, 
 
 @cache
 def seeds() -> tuple[tuple[str, bytes], ...]:
-    """Names and bytes of small good files."""
+    """Names and bytes of small good files; without VTK and meshio (in a browser's Python) fewer of them."""
     sample = mixed()
-    flat = Path(tempfile.mkdtemp())
-    data = unstructured_grid(sample)
+    hexahedra = grid(2, 1, 1)
+    mesh = Mesh.from_cells(hexahedra.points, hexahedra.rows_of(0))
+    mesh.cell_data = {"q": hexahedra.rows_of(0)[:, :2], "wide name": hexahedra.points[:2]}
     out = [("a.mesh", text_of(sample).encode()), ("b.mesh", text_of(grid(2, 1, 1), False).encode())]
     out += [(f"{v}{'lb'[o == '>']}.meshb", meshb(grid(2, 1, 1), v, o)) for v in (1, 2, 3, 4) for o in "<>"]
-    out += [(f"{v}{b}.vtk", legacy(data, v, b)) for v in (42, 51) for b in (False, True)]
+    out += [(f"a.{format_id}", write_bytes(mesh, format_id)) for format_id in ("mesh", "vtk", "vtu")]
+    out += [("a.msh", HEX_22.encode()), ("b.inp", (INP_NODES + INP_CELLS).encode())]
+    out.append(("a.ovm", ovm(sample, tail='CProp int "q"\n1 2 3 4 5\n').encode()))
+    out.append(("a.mesh.gz", gzip.compress(text_of(sample).encode())))
+    return tuple(
+        out + (files_of_vtk() + files_of_meshio() if find_spec("vtk") and find_spec("meshio") else [])
+    )
+
+
+def files_of_vtk() -> list[tuple[str, bytes]]:
+    """Seeds written by VTK."""
+    from tests.core.formats.vtk_files import legacy, unstructured_grid, xml
+
+    data = unstructured_grid(mixed())
+    out = [(f"{v}{b}.vtk", legacy(data, v, b)) for v in (42, 51) for b in (False, True)]
+    path = Path(tempfile.mkdtemp()) / "x.vtu"
     for mode in (
         {"DataMode": "Ascii"},
         {"DataMode": "Binary"},
@@ -43,18 +59,25 @@ def seeds() -> tuple[tuple[str, bytes], ...]:
     ):
         for packing in ("None", "ZLib"):
             options = mode | {"CompressorType": packing}
-            out.append((f"{mode['DataMode']}{packing}.vtu", xml(data, flat / "x.vtu", **options)))
-    kinds = sample.grouped()
-    blocks = [(MESHIO_NAMES[kind], kinds.rows_of(kind)) for kind in range(4)]
+            out.append((f"{mode['DataMode']}{packing}.vtu", xml(data, path, **options)))
+    return out
+
+
+def files_of_meshio() -> list[tuple[str, bytes]]:
+    """Seeds written by meshio."""
+    import meshio
+
+    sample = mixed().grouped()
+    out = []
+    folder = Path(tempfile.mkdtemp())
+    blocks = [(MESHIO_NAMES[kind], sample.rows_of(kind)) for kind in range(4)]
     for version, binary in (("gmsh22", False), ("gmsh22", True), ("gmsh", False), ("gmsh", True)):
         content = meshio.Mesh(sample.points, blocks if version == "gmsh22" else blocks[:1])
-        meshio.write(flat / "x.msh", content, file_format=version, binary=binary)
-        out.append((f"{version}{binary}.msh", (flat / "x.msh").read_bytes()))
-    meshio.write(flat / "x.inp", meshio.Mesh(sample.points, blocks[:2]))
-    out.append(("a.inp", (flat / "x.inp").read_bytes()))
-    out.append(("a.ovm", ovm(sample, tail='CProp int "q"\n1 2 3 4 5\n').encode()))
-    out.append(("a.mesh.gz", gzip.compress(text_of(sample).encode())))
-    return tuple(out)
+        meshio.write(folder / "x.msh", content, file_format=version, binary=binary)
+        out.append((f"{version}{binary}.msh", (folder / "x.msh").read_bytes()))
+    meshio.write(folder / "x.inp", meshio.Mesh(sample.points, blocks[:2]))
+    out.append(("a.inp", (folder / "x.inp").read_bytes()))
+    return out
 
 
 def mutant(number: int) -> tuple[str, bytes]:

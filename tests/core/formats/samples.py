@@ -13,6 +13,60 @@ VTK_TYPES = (12, 13, 14, 10)
 MESHIO_NAMES = ("hexahedron", "wedge", "pyramid", "tetra")
 
 
+HEX_22 = """$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+1
+3 1 "all $Nodes"
+$EndPhysicalNames
+$Nodes
+8
+101 0 0 0
+2 1 0 0
+33 1 1 0
+4 0 1 0
+5 0 0 1
+6 1 0 1
+7 1 1 1
+1000000 0 1 1
+$EndNodes
+$Elements
+3
+9 2 2 5 6 101 2 33
+4 5 3 8 9 1 101 2 33 4 5 6 7 1000000
+70 4 0 101 2 33 5
+$EndElements
+"""
+"""A hexahedron, a tetrahedron and a triangle in `.msh` 2.2, with gaps in the numbers."""
+
+INP_NODES = """*HEADING
+ a cube, *NODE is only a word here
+** a comment
+*Node, NSET=all
+  100, 0., 0., 0.
+  20,  1., 0., 0.
+   3,  1., 1., 0.
+4,0,1,0
+5 , 0. , 0. , 1.
+6,1.,0.,1.
+** another comment, 1, 2, 3
+7,1.,1.,1.
+8000,0.,1.,1.
+"""
+INP_CELLS = """*ELEMENT, TYPE=C3D8R, ELSET=solid
+11, 100, 20, 3, 4, 5, 6, 7,
+8000
+*SOLID SECTION, ELSET=solid, MATERIAL=steel
+1.0,
+*NODE PRINT, NSET=all
+U,
+*ELEMENT OUTPUT
+S
+"""
+"""A hexahedron in `.inp`: its nodes, and its element between other sections."""
+
+
 @dataclass
 class Sample:
     """Points, and cells as (kind, vertex ids in VTK's order)."""

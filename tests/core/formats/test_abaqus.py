@@ -12,32 +12,8 @@ import pytest
 from hexalab.errors import MeshReadError
 from hexalab.formats import read, read_bytes
 from tests.core.formats.gmsh_files import extruded
-from tests.core.formats.samples import HEXAHEDRON, Sample, check, grid, signed_volumes
+from tests.core.formats.samples import HEXAHEDRON, INP_CELLS, INP_NODES, Sample, check, grid, signed_volumes
 
-HEAD = """*HEADING
- a cube, *NODE is only a word here
-** a comment
-*Node, NSET=all
-  100, 0., 0., 0.
-  20,  1., 0., 0.
-   3,  1., 1., 0.
-4,0,1,0
-5 , 0. , 0. , 1.
-6,1.,0.,1.
-** another comment, 1, 2, 3
-7,1.,1.,1.
-8000,0.,1.,1.
-"""
-CELLS = """*ELEMENT, TYPE=C3D8R, ELSET=solid
-11, 100, 20, 3, 4, 5, 6, 7,
-8000
-*SOLID SECTION, ELSET=solid, MATERIAL=steel
-1.0,
-*NODE PRINT, NSET=all
-U,
-*ELEMENT OUTPUT
-S
-"""
 UNIT_CUBE = Sample(
     np.array([[x, y, z] for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))], dtype=float),
     [(HEXAHEDRON, list(range(8)))],
@@ -61,17 +37,21 @@ UNIT_CUBE = Sample(
     ],
 )
 def test_R5_spellings_of_the_same_file(change) -> None:
-    mesh = read_bytes(change(HEAD + CELLS).encode(), "x.inp")
+    mesh = read_bytes(change(INP_NODES + INP_CELLS).encode(), "x.inp")
     check(mesh, UNIT_CUBE)
     assert mesh.notes == []
 
 
 def test_R5_the_content_tells_the_format() -> None:
-    assert read_bytes((HEAD + CELLS).encode(), "noname").format == "inp"
+    assert read_bytes((INP_NODES + INP_CELLS).encode(), "noname").format == "inp"
 
 
 def test_R5_mixed_elements_and_what_is_left_out() -> None:
-    text = HEAD + CELLS + "*ELEMENT, TYPE=C3D4\n1, 100, 20, 3, 7\n*ELEMENT, TYPE=C3D6\n2, 100,20,3,5,6,7\n"
+    text = (
+        INP_NODES
+        + INP_CELLS
+        + "*ELEMENT, TYPE=C3D4\n1, 100, 20, 3, 7\n*ELEMENT, TYPE=C3D6\n2, 100,20,3,5,6,7\n"
+    )
     text += "*ELEMENT, TYPE=S4R\n3, 100, 20, 3, 4\n4, 5, 6, 7, 8000\n*ELEMENT, TYPE=C3D10\n7" + ", 20" * 10
     mesh = read_bytes(text.encode(), "x.inp")
     assert mesh.kind_counts == {"hexahedron": 1, "tetrahedron": 2, "wedge": 1}
@@ -81,14 +61,14 @@ def test_R5_mixed_elements_and_what_is_left_out() -> None:
 
 def test_R5_quadratic_hexahedra_over_two_lines() -> None:
     nodes = ", ".join(["100", "20", "3", "4", "5", "6", "7", "8000"] + ["3"] * 7)
-    text = HEAD + f"*ELEMENT, TYPE=C3D20R\n1, {nodes},\n 4, 4, 4, 4, 4\n"
+    text = INP_NODES + f"*ELEMENT, TYPE=C3D20R\n1, {nodes},\n 4, 4, 4, 4, 4\n"
     mesh = read_bytes(text.encode(), "x.inp")
     check(mesh, UNIT_CUBE)
     assert "higher order" in mesh.notes[0]
 
 
 def test_R5_parts_have_numbers_of_their_own() -> None:
-    part = (HEAD + CELLS).split("** a comment\n")[1].split("*SOLID")[0]
+    part = (INP_NODES + INP_CELLS).split("** a comment\n")[1].split("*SOLID")[0]
     text = f"*PART, NAME=a\n{part}*END PART\n*PART, NAME=b\n{part.replace('1.', '2.')}*END PART\n*ASSEMBLY\n"
     text += "*INSTANCE, NAME=i, PART=a\n1., 2., 3.\n*END INSTANCE\n*INCLUDE, INPUT=more.inp\n"
     mesh = read_bytes(text.encode(), "x.inp")
@@ -124,7 +104,7 @@ def test_R5_files_of_meshio_and_gmsh(tmp_path: Path) -> None:
     ],
 )  # fmt: skip
 def test_R10_bad_inp_files(old: str, new: str, words: list[str]) -> None:
-    text = HEAD + CELLS
+    text = INP_NODES + INP_CELLS
     assert old in text
     with pytest.raises(MeshReadError) as caught:
         read_bytes(text.replace(old, new, 1).encode(), "bad.inp")

@@ -12,7 +12,7 @@ import pytest
 from hexalab.errors import MeshReadError
 from hexalab.formats import read, read_bytes
 from tests.core.formats.gmsh_files import extruded
-from tests.core.formats.samples import MESHIO_NAMES, Sample, check, grid, mixed, signed_volumes
+from tests.core.formats.samples import HEX_22, MESHIO_NAMES, Sample, check, grid, mixed, signed_volumes
 
 FROM_VTK = ([0, 1, 2, 3, 4, 5, 6, 7], [0, 2, 1, 3, 5, 4], [0, 1, 2, 3, 4], [0, 1, 2, 3])
 
@@ -129,33 +129,6 @@ $EndElementData
     wanted[[1, 2]] = -1, 7.5
     np.testing.assert_array_equal(mesh.point_data["a name"], wanted)
     assert mesh.cell_data["flow"].tolist() == [[4, 5, 6], [1, 2, 3]]
-
-
-HEX_22 = """$MeshFormat
-2.2 0 8
-$EndMeshFormat
-$PhysicalNames
-1
-3 1 "all $Nodes"
-$EndPhysicalNames
-$Nodes
-8
-101 0 0 0
-2 1 0 0
-33 1 1 0
-4 0 1 0
-5 0 0 1
-6 1 0 1
-7 1 1 1
-1000000 0 1 1
-$EndNodes
-$Elements
-3
-9 2 2 5 6 101 2 33
-4 5 3 8 9 1 101 2 33 4 5 6 7 1000000
-70 4 0 101 2 33 5
-$EndElements
-"""
 
 
 def test_R5_numbers_with_gaps_by_hand() -> None:
