@@ -89,6 +89,11 @@ export class HexaLab {
     return { ...this.#app.scene.drawn(), frames: this.#app.scene.frames };
   }
 
+  /** Replace the core's worker, as after a crash; the mesh is opened again. */
+  restart() {
+    this.#app.client.restart();
+  }
+
   /** Milliseconds of the last boot, read, topology, quality, surface, upload, first_picture, slice, ambient_occlusion. @returns {Record<string, number>} */
   timings() {
     return { ...this.#app.facts.get("timings"), ...this.#app.scene.timings };

@@ -69,7 +69,10 @@ export class Documents {
  */
 export function documentText({ version, mesh, ...settings }) {
   const text = JSON.stringify({ version, mesh, ...settings }, null, 2);
-  const inOneLine = text.replace(/\[\n\s+([^[\]{}]*?)\n\s+\]/g, (_, list) => `[${list.replace(/\n\s+/g, " ")}]`);
+  const inOneLine = text.replace(
+    /\[\n\s+([^[\]{}]*?)\n\s+\]/g,
+    (_, list) => `[${list.replace(/\n\s+/g, " ")}]`,
+  );
   return `${inOneLine}\n`;
 }
 

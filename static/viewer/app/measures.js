@@ -1,6 +1,5 @@
 import { Superseded } from "../core/client.js";
 import { qualitySource } from "../panels/quality_source.js";
-import { metricOf } from "../state/tables.js";
 
 /**
  * Keeps statistics, histogram and the mesh's description up to date: each is asked for after the picture stands, and
@@ -39,21 +38,20 @@ export class Measures {
 
   /** Statistics and histogram of the metric or attribute that is looked at. */
   async #measure() {
-    const { facts, store, tables, client } = this.#app;
+    const { facts, store, client } = this.#app;
     const summary = facts.get("summary");
     if (!summary || facts.get("core") !== "ready") return;
     const { id } = qualitySource(this.#app);
     const { bins } = store.status.histogram;
+    const asked = JSON.stringify([bins, store.status.colour.range]);
     const known = facts.get("histogram");
-    if (known?.source === id && known.asked === bins) return;
-    const statistics =
-      facts.get("statistics")?.[id] ??
-      (metricOf(tables, id) ? await this.#ask("quality", [id], "quality") : null);
+    if (known?.source === id && known.asked === asked) return;
+    const statistics = facts.get("statistics")?.[id] ?? (await this.#ask("quality", [id], "quality"));
     const histogram = await this.#ask("histogram", [id, bins], "histogram");
     if (!histogram || facts.get("summary") !== summary || qualitySource(this.#app).id !== id) return;
     facts.set({
       statistics: { ...facts.get("statistics"), ...(statistics ? { [id]: statistics } : {}) },
-      histogram: { ...histogram, source: id, asked: bins },
+      histogram: { ...histogram, source: id, asked },
     });
     this.#app.note({ quality: client.milliseconds?.quality });
   }

@@ -2,6 +2,7 @@ import {
   boundedBy,
   changedKeep,
   KEEP_NAMES,
+  KEEP_NAMES_OF_ATTRIBUTES,
   keepOf,
   oneSided,
   shareOf,
@@ -108,8 +109,8 @@ export const qualityFilterControls = [
     status: [ITEMS, "colour"],
     facts: FACTS,
     options: (context) => {
-      const { symbol, name } = qualitySource(context);
-      return Object.entries(KEEP_NAMES).map(([value, text]) => ({
+      const { symbol, name, attribute } = qualitySource(context);
+      return Object.entries(attribute ? KEEP_NAMES_OF_ATTRIBUTES : KEEP_NAMES).map(([value, text]) => ({
         value,
         name: `${text} (${symbol || name})`,
       }));

@@ -14,6 +14,14 @@ export const KEEP_NAMES = {
   outside: "hide a band",
 };
 
+/** The same for an attribute, which has no good end. @type {Record<Keep, string>} */
+export const KEEP_NAMES_OF_ATTRIBUTES = {
+  worst: "show the high",
+  best: "show the low",
+  band: "show a band",
+  outside: "hide a band",
+};
+
 /** Whether a high value is a good one. @param {Scale} scale */
 const highIsBest = (scale) => scale.bestValue >= scale.worstValue;
 
