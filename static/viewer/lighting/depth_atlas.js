@@ -98,7 +98,7 @@ export class DepthAtlas {
     return /** @type {import("three").Texture} */ (this.target.depthTexture);
   }
 
-  /** @param {import("three").BufferGeometry | null} geometry the surface's own, whose buffers are shared */
+  /** @param {import("three").BufferGeometry | null} geometry whose buffers are shared, not owned */
   setGeometry(geometry) {
     const shared = new InstancedBufferGeometry();
     if (geometry) {
@@ -107,7 +107,7 @@ export class DepthAtlas {
       shared.setDrawRange(geometry.drawRange.start, geometry.drawRange.count);
     }
     const old = this.#mesh.geometry;
-    old.setIndex(null); // buffers belong to the surface, and go with it
+    old.setIndex(null);
     old.deleteAttribute("position");
     old.dispose();
     this.#mesh.geometry = shared;

@@ -15,6 +15,7 @@ import {
 } from "three";
 import { VERTEX_COLUMNS } from "../scene/texel.js";
 import { TILES } from "./depth_atlas.js";
+import { GROOVE_SHARES } from "./plates.js";
 
 /** Directions after which a vertex whose back sees more light than its front is turned round for good. */
 export const TURNING = 32;
@@ -43,6 +44,7 @@ uniform float lift;
 out uvec4 sums;
 
 const float UNIT = 65536.0;
+const float SHARES[4] = float[4](${GROOVE_SHARES.map((share) => share.toFixed(3)).join(", ")});
 
 vec3 unpackNormal(uint word) {
   vec2 e = unpackSnorm2x16(word);
@@ -60,6 +62,11 @@ float seen(int k, vec3 place) {
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
   uvec4 point = texelFetch(points, texel, 0);
+  float share = SHARES[point.w & 3u];
+  if (share == 0.0) {
+    sums = uvec4(0u, 1u, 0u, 0u);
+    return;
+  }
   vec3 place = uintBitsToFloat(point.xyz);
   vec3 normal = unpackNormal(point.w);
   sums = first == 0 ? uvec4(0u) : texelFetch(before, texel, 0);
@@ -71,12 +78,12 @@ void main() {
   for (int k = 0; k < count; k++) {
     float cosine = dot(normal, towards[k].xyz);
     if (cosine > 0.0) {
-      uint lit = uint(cosine * seen(k, place + lift * normal) * UNIT);
+      uint lit = uint(cosine * share * seen(k, place + lift * normal) * UNIT);
       sums.x += lit;
       sums.y += uint(cosine * UNIT);
       if (first < ${TURNING}) sums.w += lit;
     } else if (first < ${TURNING}) {
-      sums.z += uint(-cosine * seen(k, place - lift * normal) * UNIT);
+      sums.z += uint(-cosine * share * seen(k, place - lift * normal) * UNIT);
     }
   }
 }

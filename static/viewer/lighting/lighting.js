@@ -118,8 +118,7 @@ export class Lighting {
       this.#view = now;
     }
     if (mode === "screen_space_ao") this.#drawScreen(camera, width, height, perUnit);
-    uniforms.occlusionShare.value = share;
-    if (share > 0) uniforms.occlusion.value = object.texture;
+    this.#layer.setOcclusion(share, share > 0 ? object.texture : null);
     uniforms.screenShare.value = cover;
     if (cover > 0 && this.#screen.texture) uniforms.screenOpenness.value = this.#screen.texture;
     uniforms.screenScale.value.set(1 / width, 1 / height);

@@ -1,7 +1,10 @@
+import { BufferAttribute, BufferGeometry } from "three";
+import { flatQuadIndex } from "../scene/quad_index.js";
 import { DepthAtlas } from "./depth_atlas.js";
 import { DIRECTIONS, directions } from "./directions.js";
 import { Gatherer } from "./gatherer.js";
 import { lightView } from "./light_view.js";
+import { platesOf } from "./plates.js";
 import { meanSide } from "./mean_side.js";
 import { gatheringPoints } from "./samples.js";
 import { vertexTexel } from "../scene/texel.js";
@@ -34,6 +37,9 @@ export class ObjectSpaceAO {
   /** @type {ReturnType<typeof gatheringPoints> | null} */
   #points = null;
   #edge = 1;
+  #lift = Infinity;
+  /** @type {BufferGeometry | null} */
+  #plates = null;
 
   /** @param {import("three").WebGLRenderer} renderer */
   constructor(renderer) {
@@ -76,15 +82,17 @@ export class ObjectSpaceAO {
 
   #prepare() {
     const surface = /** @type {import("../scene/types.js").Surface} */ (this.#surface);
-    this.#points = gatheringPoints(surface);
+    const plates = surface.mode === "rounded" ? platesOf(surface) : null;
+    this.#points = gatheringPoints(surface, plates);
+    this.#lift = plates ? 0.6 * plates.rounding : Infinity;
     this.#edge = meanSide(surface.positions, surface.quads, surface.faces.length);
     this.#gatherer.setPoints(this.#renderer, this.#points);
-    const side = tileSide(this.#points.box, this.#edge, surface.mode);
+    const side = tileSide(this.#points.box, plates ? 3 * this.#edge : this.#edge, surface);
     if (this.#atlas?.side !== side) {
       this.#atlas?.dispose();
       this.#atlas = new DepthAtlas(side, Math.min(4, ATLAS / side));
     }
-    this.#atlas.setGeometry(this.#geometry);
+    this.#atlas.setGeometry(plates ? this.#plateGeometry(plates.corners) : this.#geometry);
   }
 
   /**
@@ -111,11 +119,27 @@ export class ObjectSpaceAO {
     this.#gatherer.gather(this.#renderer, atlas, this.#towards, {
       first,
       count,
-      lift: lift(texel, this.#edge),
+      lift: Math.min(this.#lift, texel, 0.05 * this.#edge),
       rows: points.rows,
     });
     this.count += count;
     return count;
+  }
+
+  /** @param {Float32Array} corners @returns {BufferGeometry} */
+  #plateGeometry(corners) {
+    this.#dropPlates();
+    this.#plates = new BufferGeometry();
+    this.#plates.setAttribute("position", new BufferAttribute(corners, 3));
+    this.#plates.setIndex(flatQuadIndex(corners.length / 12));
+    this.#plates.setDrawRange(0, corners.length / 2);
+    return this.#plates;
+  }
+
+  #dropPlates() {
+    this.#plates?.setIndex(null); // shared with the surface
+    this.#plates?.dispose();
+    this.#plates = null;
   }
 
   /** Openness of every drawn vertex, read back: for tests only. @returns {Float32Array} */
@@ -128,33 +152,24 @@ export class ObjectSpaceAO {
   dispose() {
     this.#gatherer.dispose();
     this.#atlas?.dispose();
+    this.#dropPlates();
   }
 }
 
 /**
- * Pixels of a view's side: enough that a face covers some of them and, where cells stand apart, that a gap does.
+ * Pixels of a view's side: enough that a face covers some of them and, where cells stand apart, that a gap does as far as time
+ * allows.
  *
  * @param {Float64Array} box extent of the surface
  * @param {number} edge mean side of a face
- * @param {import("../scene/types.js").SeparationMode} mode
+ * @param {import("../scene/types.js").Surface} surface
  * @returns {number} a power of two
  */
-function tileSide(box, edge, mode) {
+function tileSide(box, edge, { mode, faces }) {
   const extent = Math.hypot(box[3] - box[0], box[4] - box[1], box[5] - box[2]);
-  const apart = mode === "fissure" || mode === "rounded";
-  const wanted = ((apart ? 12 : 3) * extent) / edge;
-  return Math.min(apart ? 1024 : 512, Math.max(256, 2 ** Math.ceil(Math.log2(wanted))));
-}
-
-/**
- * How far a gathering point is lifted off its face.
- *
- * @param {number} texel size of a view's pixel
- * @param {number} edge mean side of a face
- * @returns {number}
- */
-function lift(texel, edge) {
-  return Math.min(texel, 0.05 * edge);
+  const apart = mode === "fissure";
+  const wanted = 2 ** Math.ceil(Math.log2(((apart ? 12 : 3) * extent) / edge));
+  return Math.max(256, Math.min(wanted, apart && faces.length < 6000 ? 1024 : 512));
 }
 
 /**

@@ -5,16 +5,17 @@ export const PULL = 0.15;
 
 /**
  * Where and facing what each drawn vertex gathers light: for the GPU, four words per vertex (three floats and a normal of two
- * 16-bit numbers).
+ * 16-bit numbers, of whose last two bits the class of a rounded surface's vertex takes the place).
  *
  * A corner of a flat face stands on edges that other faces share, where openness has no one value: it is taken a little
  * inside the face, where it has: towards the middle of the diagonal that the face is cut at, so that it stays on the surface
  * where the face is not plane. A smooth vertex gathers light where it stands.
  *
  * @param {import("../scene/types.js").Surface} surface
+ * @param {import("./plates.js").Plates | null} plates of a rounded surface: where its vertices gather, and what share
  * @returns {{ words: Uint32Array, rows: number, box: Float64Array }} box: extent
  */
-export function gatheringPoints(surface) {
+export function gatheringPoints(surface, plates) {
   const { positions, normals, quads } = surface;
   const vertices = positions.length / 3;
   const rows = vertexRows(vertices);
@@ -36,9 +37,11 @@ export function gatheringPoints(surface) {
           ? (positions[base + k] + positions[base + k + 3] + positions[base + k + 6]) / 3
           : (positions[base + k] + positions[base + k + 6]) / 2;
         floats[at + k] = value + PULL * (middle - value);
-      } else floats[at + k] = value;
+      } else floats[at + k] = plates ? positions[3 * plates.stands[v] + k] : value;
     }
-    words[at + 3] = packNormal(normals[4 * v], normals[4 * v + 1], normals[4 * v + 2]);
+    const n = 4 * (plates ? plates.stands[v] : v);
+    const word = packNormal(normals[n], normals[n + 1], normals[n + 2]);
+    words[at + 3] = (word & ~3) | (plates ? plates.classes[v] : 0);
   }
   return { words, rows, box };
 }

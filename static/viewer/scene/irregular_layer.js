@@ -19,6 +19,19 @@ const STEPS = [
 
 const INK = VALENCE_STYLES.map(() => ({ colour: "#000000", ink: 1 }));
 
+/** @type {import("./types.js").Irregular} */
+const NOTHING = {
+  edges: new Float32Array(0),
+  valence: new Uint8Array(0),
+  boundary: new Uint8Array(0),
+  barbs: new Float32Array(0),
+  barb_valence: new Uint8Array(0),
+  barb_boundary: new Uint8Array(0),
+  paper: new Float32Array(0),
+  paper_valence: new Uint8Array(0),
+  paper_boundary: new Uint8Array(0),
+};
+
 /**
  * The irregular edges in seven steps, from nothing to paper flaps seen through the mesh.
  */
@@ -46,17 +59,36 @@ export class IrregularLayer {
   /** @param {import("./types.js").Irregular | null} irregular */
   set(irregular) {
     this.#irregular = irregular;
-    const nothing = new Float32Array(0);
-    const { ends, valence } = chosen(irregular, this.#boundary);
-    const rows = valence.map(valenceStyle);
-    for (const wires of this.#wires) wires.set(ends, rows);
-    for (const folds of this.#folds) folds.set(ends, rows);
-    for (const barbs of this.#barbs) {
-      barbs.set(irregular?.barbs ?? nothing, irregular ? irregular.barb_valence.map(valenceStyle) : null);
-    }
-    for (const paper of this.#paper) {
-      paper.set(irregular?.paper ?? nothing, irregular?.paper_valence ?? new Uint8Array(0));
-    }
+    const rows = (/** @type {Uint8Array} */ boundary) =>
+      this.#boundary ? boundary.length : boundary.indexOf(1);
+    const part = (
+      /** @type {Float32Array} */ ends,
+      /** @type {Uint8Array} */ valence,
+      /** @type {number} */ count,
+    ) => {
+      const n = count < 0 ? valence.length : count; // those of the boundary stand last
+      return {
+        ends: ends.subarray(0, (ends.length / (valence.length || 1)) * n),
+        styles: valence.subarray(0, n).map(valenceStyle),
+      };
+    };
+    const {
+      edges,
+      valence,
+      boundary,
+      barbs,
+      barb_valence,
+      barb_boundary,
+      paper,
+      paper_valence,
+      paper_boundary,
+    } = irregular ?? NOTHING;
+    const wires = part(edges, valence, rows(boundary));
+    const thorns = part(barbs, barb_valence, rows(barb_boundary));
+    const flaps = part(paper, paper_valence, rows(paper_boundary));
+    for (const lines of [...this.#wires, ...this.#folds]) lines.set(wires.ends, wires.styles);
+    for (const lines of this.#barbs) lines.set(thorns.ends, thorns.styles);
+    for (const layer of this.#paper) layer.set(flaps.ends, flaps.styles);
     this.#show();
   }
 
@@ -108,19 +140,4 @@ function styles(part) {
 function show(layer, opacity) {
   layer.mesh.visible = opacity > 0 && layer.count > 0;
   layer.opacity = opacity;
-}
-
-/**
- * @param {import("./types.js").Irregular | null} irregular
- * @param {boolean} boundary
- * @returns {{ ends: Float32Array, valence: Uint8Array }}
- */
-function chosen(irregular, boundary) {
-  if (!irregular) return { ends: new Float32Array(0), valence: new Uint8Array(0) };
-  if (boundary) return { ends: irregular.edges, valence: irregular.valence };
-  const rows = [];
-  for (let k = 0; k < irregular.boundary.length; k++) if (irregular.boundary[k] === 0) rows.push(k);
-  const ends = new Float32Array(6 * rows.length);
-  rows.forEach((row, k) => ends.set(irregular.edges.subarray(6 * row, 6 * row + 6), 6 * k));
-  return { ends, valence: Uint8Array.from(rows, (row) => irregular.valence[row]) };
 }

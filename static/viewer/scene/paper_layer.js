@@ -1,7 +1,7 @@
 import { BufferAttribute, BufferGeometry, DoubleSide, GLSL3, Mesh, RawShaderMaterial } from "three";
 import { componentsOf } from "./colour.js";
 import { flatQuadIndex } from "./quad_index.js";
-import { VALENCE_STYLES, valenceStyle } from "./valence.js";
+import { VALENCE_STYLES } from "./valence.js";
 
 const VERTEX = `
 precision highp float;
@@ -52,18 +52,18 @@ export class PaperLayer {
 
   /**
    * @param {Float32Array} corners (12P) the first two corners of each flap lie on the edge
-   * @param {Uint8Array} valence (P)
+   * @param {Uint8Array} styles (P) row of the valence styles
    */
-  set(corners, valence) {
+  set(corners, styles) {
     const old = this.mesh.geometry;
     old.setIndex(null); // shared with the surface
     old.dispose();
-    this.count = valence.length;
+    this.count = styles.length;
     const colours = new Uint8Array(12 * this.count);
     const inks = VALENCE_STYLES.map(({ inner, rim }) =>
       [inner, inner, rim, rim].flatMap(componentsOf).map((c) => Math.round(255 * c)),
     );
-    valence.forEach((value, k) => colours.set(inks[valenceStyle(value)], 12 * k));
+    styles.forEach((style, k) => colours.set(inks[style], 12 * k));
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(corners, 3));
     geometry.setAttribute("colour", new BufferAttribute(colours, 3, true));

@@ -99,6 +99,15 @@ export class SurfaceLayer {
     this.uniforms.lighting.value = LIGHTING[mode] ?? 1;
   }
 
+  /**
+   * @param {number} share of the gathered openness in the light
+   * @param {import("three").Texture | null} texture its sums; null: none are drawn on
+   */
+  setOcclusion(share, texture) {
+    this.uniforms.occlusionShare.value = texture ? share : 0;
+    this.uniforms.occlusion.value = texture ?? this.#open;
+  }
+
   /** @param {Partial<import("./types.js").ColourStatus>} colour */
   setColour(colour) {
     this.uniforms.byCell.value = colour.by !== undefined && colour.by !== "sides";

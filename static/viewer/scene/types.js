@@ -30,8 +30,10 @@
  * @property {Uint8Array} boundary
  * @property {Float32Array} barbs
  * @property {Uint8Array} barb_valence
+ * @property {Uint8Array} barb_boundary
  * @property {Float32Array} paper
  * @property {Uint8Array} paper_valence
+ * @property {Uint8Array} paper_boundary interior ones stand first in every list
  *
  * @typedef {object} CameraStatus
  * @property {number[]} target
