@@ -11,6 +11,11 @@
 let pyodide;
 /** @type {any} */
 let session;
+/** Whether a question has come yet. */
+let asked = false;
+
+/** Milliseconds to wait for a question before the core warms up. */
+const IDLE = 50;
 
 /**
  * @param {string} runtime address of the folder with the interpreter, ending in a slash
@@ -29,6 +34,7 @@ async function boot(runtime) {
   const interpreter = performance.now();
   const { Session } = pyodide.pyimport("hexalab.session");
   session = Session();
+  setTimeout(() => asked || pyodide.pyimport("hexalab.session.warm_up").warm_up(Session()), IDLE);
   return { interpreter: interpreter - began, core: performance.now() - interpreter };
 }
 
@@ -118,6 +124,7 @@ self.onmessage = async ({ data }) => {
     }
     return;
   }
+  asked = true;
   answer(data);
   const bytes = data.method === "open" && data.args[1];
   if (bytes instanceof ArrayBuffer) postMessage({ opened: data.id, sha256: await identify(bytes) });
