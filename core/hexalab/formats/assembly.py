@@ -182,14 +182,6 @@ def free_name(arrays: Mapping[str, Array], name: str) -> str:
     return f"{name}_{number}"
 
 
-def as_coordinates(rows: Array) -> Floats:
-    """(3, n) float64 from rows of x, y, z in any number type and byte order, in one copy."""
-    out = np.empty((3, len(rows)))
-    with np.errstate(invalid="ignore"):
-        out[:] = rows.T
-    return out
-
-
 def check_finite(coordinates: Floats, locate: Callable[[str, int], MeshReadError]) -> None:
     """Raise `locate(message, vertex)` for the first vertex of (3, n) coordinates that is not finite."""
     finite = np.isfinite(coordinates)

@@ -6,7 +6,8 @@ import numpy as np
 
 from ..errors import MeshReadError
 from ..mesh import Array
-from .assembly import Assembly, as_coordinates
+from .assembly import Assembly
+from .byte_order import as_coordinates, native
 from .gmsh_numbers import Numbers
 from .gmsh_parts import Elements, Nodes, nodes_of, own_corners
 from .ids import whole_tags
@@ -58,7 +59,7 @@ class Gmsh2:
         numbers.begin()
         dtype = np.dtype([("tag", numbers.order + "i4"), ("x", numbers.order + "f8", 3)])
         rows = np.frombuffer(numbers.bytes(count * dtype.itemsize, "$Nodes"), dtype)
-        return Nodes(rows["tag"].astype(np.int64), as_coordinates(rows["x"]))
+        return Nodes(native(rows["tag"]).astype(np.int64), as_coordinates(rows["x"]))
 
     def elements(self, out: Assembly) -> list[Elements]:
         numbers = self.numbers

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .assembly import Assembly, as_coordinates
+from .assembly import Assembly
+from .byte_order import as_coordinates
 from .gmsh_numbers import Numbers
 from .gmsh_parts import NODES_OF_TYPE, Elements, Nodes, own_corners
 

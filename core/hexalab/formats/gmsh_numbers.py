@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import MeshReadError
+from .byte_order import native
 from .source import Source
 from .text import Text, shown
 
@@ -82,7 +83,7 @@ class Numbers:
         if not self.binary:
             return text.numbers(count, np.float64 if code == "f8" else np.intp, what)
         dtype = np.dtype(self.order + code)
-        return np.frombuffer(self.bytes(count * dtype.itemsize, what), dtype)
+        return native(np.frombuffer(self.bytes(count * dtype.itemsize, what), dtype))
 
     def bytes(self, size: int, what: str) -> memoryview:
         """So many bytes of a binary file."""

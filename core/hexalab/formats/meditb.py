@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 from ..errors import MeshReadError
 from ..mesh import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE, Array, Mesh
-from .assembly import Assembly, CellBlock, as_coordinates, check_finite
+from .assembly import Assembly, CellBlock, check_finite
+from .byte_order import as_coordinates
 from .ids import within_int32
 from .medit import REFERENCE, whole_references
 from .medit_keywords import ORDERS

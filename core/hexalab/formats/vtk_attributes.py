@@ -9,8 +9,9 @@ from numpy.typing import NDArray
 
 from ..mesh import Array
 from .assembly import Assembly, free_name
+from .byte_order import native
 from .text import INTEGER, Text, shown
-from .vtk_values import Values, decoded, native
+from .vtk_values import Values, decoded
 
 COMPONENTS = {
     "vectors": 3,

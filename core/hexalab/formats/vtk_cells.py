@@ -15,16 +15,13 @@ from numpy.typing import NDArray
 from ..errors import MeshReadError
 from ..mesh import HEXAHEDRON, Array, Floats, Ids
 from .assembly import Assembly, CellBlock, check_ids
+from .byte_order import ROWS, native
 from .ids import within_int32
 from .row_chain import ErrorAt
 from .vtk_types import CELL_TYPES, HEXAHEDRON_TYPE, VOXEL, CellType
 
 VOXEL_SAMPLE = 4096
 """Voxels that tell in which order all of them were written."""
-
-GATHERED = 4096
-"""Rows that are put into our order at a time: few enough that reading them column by column stays in
-cache."""
 
 
 @dataclass
@@ -165,21 +162,19 @@ def gathered(rows: Rows, which: Array, order: tuple[int, ...]) -> Ids:
     step = int(rows.starts[1] - rows.starts[0]) if rows.uniform and count > 1 else 0
     whole = step > 0 and count == len(rows.starts)
     wide = rows.ids.dtype.itemsize > 4 or rows.ids.dtype.kind == "u"
-    native = rows.ids.dtype.newbyteorder("=")
-    for start in range(0, count, GATHERED):
-        part = slice(start, min(start + GATHERED, count))
+    for start in range(0, count, ROWS):
+        part = slice(start, min(start + ROWS, count))
         if whole:
             first = int(rows.starts[part.start])
             length = part.stop - part.start
-            stretch = rows.ids[first : first + step * (length - 1) + rows.uniform]
+            stretch = native(rows.ids[first : first + step * (length - 1) + rows.uniform])
             strides = (step * stretch.itemsize, stretch.itemsize)
             table = np.lib.stride_tricks.as_strided(stretch, (length, rows.uniform), strides)
-            table = table.astype(table.dtype.newbyteorder("="), copy=False)
             table = within_int32(table).astype(np.int32) if wide else table
             columns = [table[:, own] for own in order]
         else:
             begin = rows.starts[which[part]]
-            columns = [within_int32(rows.ids[begin + own].astype(native)) for own in order]
+            columns = [within_int32(native(rows.ids[begin + own])) for own in order]
         for corner, values in zip(out, columns, strict=True):
             corner[part] = values
     return out

@@ -13,7 +13,8 @@ import re
 import numpy as np
 
 from ..mesh import Array, Mesh
-from .assembly import Assembly, as_coordinates, check_finite
+from .assembly import Assembly, check_finite
+from .byte_order import as_coordinates, native
 from .row_chain import COUNTED, ErrorAt, row_starts
 from .source import Source
 from .text import NUMBER, Text, shown
@@ -178,7 +179,7 @@ class Reader:
         code = self.values.number_type(text.word())
         self.values.begin()
         ids, error_at = self.values.take(size, code, "CONNECTIVITY")
-        starts, sizes, uniform = spans(offsets.astype(np.int64), size, offset_error)
+        starts, sizes, uniform = spans(native(offsets).astype(np.int64, copy=False), size, offset_error)
         self.cells = ids, starts, sizes, error_at, uniform
 
     def read_types(self) -> None:

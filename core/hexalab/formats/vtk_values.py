@@ -123,8 +123,3 @@ def decoded(name: bytes) -> str:
         except ValueError:
             out.append(b"%" + part)
     return b"".join(out).decode("utf-8", "replace")
-
-
-def native(values: Array) -> Array:
-    """The values in this machine's byte order."""
-    return values.astype(values.dtype.newbyteorder("="), copy=False)

@@ -6,11 +6,11 @@ import numpy as np
 
 from ..errors import MeshReadError
 from ..mesh import Array, Mesh
-from .assembly import Assembly, as_coordinates, check_finite, free_name
+from .assembly import Assembly, check_finite, free_name
+from .byte_order import as_coordinates, native
 from .source import Source
 from .text import shown
 from .vtk_cells import Rows, add_cells, spans
-from .vtk_values import native
 from .vtu_arrays import Arrays
 from .xml_tags import Element, parse
 
