@@ -124,7 +124,7 @@ def test_S2_a_link_restores_mesh_and_view(mesh: Page, site: str) -> None:
     fragment = mesh.get_by_label("Link").input_value().split("#")[1]
     mesh.keyboard.press("Escape")
     mesh.goto(f"{site}/viewer/?mesh={quote(address, safe='')}#{fragment}")
-    ui.until(lambda: ui.summary(mesh).get("shown", {}).get("cells") == 8, 60)
+    ui.until(lambda: ui.shown(mesh) == 8, 60)
     after = ui.status(mesh)
     assert {**after, "mesh": 0} == {**before, "mesh": 0}
 

@@ -82,7 +82,7 @@ def drawn(page: Page) -> tuple[int, int]:
 
 def shown(page: Page) -> int:
     """Cells shown, as the status line says."""
-    return int(page.evaluate("() => window.hexalab.summary().shown.cells"))
+    return int(page.evaluate("() => window.hexalab.summary()?.shown?.cells ?? -1"))
 
 
 def drag(page: Page, selector: str, start: float, end: float, steps: int = 8) -> None:
