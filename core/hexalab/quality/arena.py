@@ -9,7 +9,7 @@ import numpy as np
 
 from ..mesh import Array, Floats
 
-BLOCK = 2048
+BLOCK = 4096
 """Cells computed together: the few megabytes of intermediates stay in cache."""
 
 T = TypeVar("T")

@@ -47,11 +47,13 @@ class BezierBlock(Arena):
             np.abs(edges, out=absolute)
             np.max(absolute, axis=(1, 2), out=most[place])
         by_direction, by_axis = most.max(axis=1), most.max(axis=0)
-        out = np.multiply(by_direction[0], by_direction[1], out=self.array("magnitude"))
+        out = self.array("magnitude")
+        np.multiply(by_direction[0], by_direction[1], out=out)
         out *= by_direction[2]
         other = by_axis[0] * by_axis[1]
         other *= by_axis[2]
-        return np.minimum(out, other, out=out)
+        np.minimum(out, other, out=out)
+        return out
 
     def corners(self) -> Floats:
         """(2, 2, 2, n) determinants at the corners."""
@@ -66,50 +68,59 @@ class BezierBlock(Arena):
         ends, middle = DEGREES
         out[ends, ends, ends] = corners
         u, v, w = self.u, self.v, self.w
-        product, scratch, value = self.array("product_4", 3, 2, 2), self.array("scratch_4", 2, 2), self.array("value", 2, 2)
-        for fixed, first, second, place, pair in (
-            (u, self._sum(v, 2)[:, :, None], self._sum(w, 2)[:, None], (ends, ends, middle), (2,)),
-            (v, self._sum(w, 1)[:, None], self._sum(u, 2)[:, :, None], (ends, middle, ends), (1,)),
-            (w, self._sum(u, 1)[:, :, None], self._sum(v, 1)[:, None], (middle, ends, ends), (0,)),
+        product, scratch = self.array("product_4", 3, 2, 2), self.array("scratch_4", 2, 2)
+        value = self.array("value", 2, 2)
+        for axis, fixed, first, second, place in (
+            (2, u, self._sum("v", 2)[:, :, None], self._sum("w", 2)[:, None], (ends, ends, middle)),
+            (1, v, self._sum("w", 1)[:, None], self._sum("u", 2)[:, :, None], (ends, middle, ends)),
+            (0, w, self._sum("u", 1)[:, :, None], self._sum("v", 1)[:, None], (middle, ends, ends)),
         ):
             cross(first, second, product, scratch)
             dot(fixed, product, value, scratch)
-            (axis,) = pair
-            low, high = (corners[(slice(None),) * axis + (end,)] for end in (0, 1))
-            value -= low
-            value -= high
+            for end in (0, 1):
+                value -= corners[(slice(None),) * axis + (end,)]
             np.multiply(value, 0.5, out=out[place])
-        fill_middles(out)
+        fill_middles(out, exact=False)
         return out
 
-    def _sum(self, edges: Floats, axis: int) -> Floats:
-        """(3, 2, n) sums of the edges at both ends of a direction (1: the first of their two, 2: the second)."""
+    def _sum(self, name: str, axis: int) -> Floats:
+        """(3, 2, n) sums of the u, v or w edges over the first or the second of the directions they differ in."""
+        edges: Floats = getattr(self, name)
         first, second = (edges[(slice(None),) * axis + (end,)] for end in (0, 1))
-        self._sums = getattr(self, "_sums", 0) + 1
-        return np.add(first, second, out=self.array(f"sum_{self._sums % 6}", 3, 2))
+        out: Floats = np.add(first, second, out=self.array(f"sum_{name}_{axis}", 3, 2))
+        return out
 
 
-def fill_middles(coefficients: Array) -> None:
-    """Fill the six face middles and the centre from corners and edge middles, in place."""
+def fill_middles(coefficients: Array, exact: bool) -> None:
+    """Fill the six face middles and the centre from corners and edge middles, in place.
+
+    Parameters
+    ----------
+    coefficients : (3, 3, 3, n) array
+    exact : bool
+        Whether they are integers (multiples of eight, so that the divisions leave no rest).
+    """
     ends, middle = DEGREES
     for axis in range(3):
         square = np.moveaxis(coefficients, axis, 0)[ends]
-        square[:, 1, 1] = _middle(square)
-    coefficients[1, 1, 1] = _middle(coefficients[middle])
+        square[:, 1, 1] = _middle(square, exact)
+    coefficients[1, 1, 1] = _middle(coefficients[middle], exact)
 
 
-def _middle(square: Array) -> Array:
-    """Middle of (..., 3, 3, n) coefficients whose mixed second difference vanishes."""
-    edges = square[..., 0, 1, :] + square[..., 2, 1, :]
-    edges += square[..., 1, 0, :]
-    edges += square[..., 1, 2, :]
-    edges *= 0.5
-    corners = square[..., 0, 0, :] + square[..., 0, 2, :]
-    corners += square[..., 2, 0, :]
-    corners += square[..., 2, 2, :]
-    corners *= 0.25
-    edges -= corners
-    return np.asarray(edges)
+def _middle(square: Array, exact: bool) -> Array:
+    """Middle of (..., 3, 3, n) coefficients whose mixed second difference vanishes: edges / 2 - corners / 4."""
+    out = square[..., 0, 1, :] + square[..., 2, 1, :]
+    out += square[..., 1, 0, :]
+    out += square[..., 1, 2, :]
+    out *= 2
+    for i in (0, 2):
+        for j in (0, 2):
+            out -= square[..., i, j, :]
+    if exact:
+        out //= 4
+    else:
+        out *= 0.25
+    return np.asarray(out)
 
 
 def halves(coefficients: Array, axis: int, exact: bool) -> tuple[Array, Array]:

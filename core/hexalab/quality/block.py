@@ -34,7 +34,11 @@ EDGE_ORDER = ((0, 1, 2, 3), (0, 1, 3, 2), (0, 2, 1, 3))
 
 DIAGONALS = ((0, 6), (1, 7), (2, 4), (3, 5))
 
-INNER, OUTER, BOTH = (slice(None), slice(None, None, -1)), (slice(None, None, -1),), (slice(None, None, -1),) * 2
+INNER, OUTER, BOTH = (
+    (slice(None), slice(None, None, -1)),
+    (slice(None, None, -1),),
+    (slice(None, None, -1),) * 2,
+)
 """Index of the (2, 2) rows of edges that swaps 0 1 2 3 to 1 0 3 2, to 2 3 0 1, to 3 2 1 0."""
 
 U_FLIPS, V_FLIPS, W_FLIPS = (OUTER, INNER), (BOTH, INNER), (BOTH, OUTER)
@@ -82,7 +86,9 @@ class HexahedronBlock(Arena):
     @shared
     def u(self) -> Floats:
         """(3, 4, n) edges of the first direction."""
-        return np.subtract(self.points[:, 1::2], self.points[:, ::2], out=self.array("u", 3, 4))
+        out = self.array("u", 3, 4)
+        np.subtract(self.points[:, 1::2], self.points[:, ::2], out=out)
+        return out
 
     @shared
     def v(self) -> Floats:
@@ -125,7 +131,7 @@ class HexahedronBlock(Arena):
     @shared
     def lengths(self) -> Floats:
         """(12, n) lengths of the u, then v, then w edges."""
-        return np.sqrt(self.squares, out=self.array("lengths", 12))
+        return np.asarray(np.sqrt(self.squares, out=self.array("lengths", 12)))
 
     @shared
     def corner_squares(self) -> Floats:
@@ -190,7 +196,7 @@ class HexahedronBlock(Arena):
     @shared
     def axis_lengths(self) -> Floats:
         """(3, n) lengths of X, Y, Z."""
-        return np.sqrt(self.axis_squares, out=self.array("axis_lengths", 3))
+        return np.asarray(np.sqrt(self.axis_squares, out=self.array("axis_lengths", 3)))
 
     @shared
     def centre_determinant(self) -> Floats:
@@ -212,7 +218,7 @@ class HexahedronBlock(Arena):
                 np.maximum(out[1], square, out=out[1])
             else:
                 out[:] = square
-        return np.sqrt(out, out=out)
+        return np.asarray(np.sqrt(out, out=out))
 
     @shared
     def size(self) -> Floats:
@@ -232,9 +238,9 @@ class HexahedronBlock(Arena):
         near, far = (1 + 1 / np.sqrt(3)) / 2, (1 - 1 / np.sqrt(3)) / 2
         edges = []
         for name, flips in (("u", U_FLIPS), ("v", V_FLIPS), ("w", W_FLIPS)):
-            rows = getattr(self, name).reshape(3, 2, 2, self.count)
+            rows: Floats = getattr(self, name).reshape(3, 2, 2, self.count)
             for step, flip in enumerate(flips):
-                mixed = self.array(f"gauss_{name}{step}", 3, 4).reshape(3, 2, 2, self.count)
+                mixed: Floats = self.array(f"gauss_{name}{step}", 3, 4).reshape(3, 2, 2, self.count)
                 scratch = self.array("product", 3, 4).reshape(3, 2, 2, self.count)
                 np.multiply(rows, near, out=mixed)
                 np.multiply(rows[(slice(None), *flip)], far, out=scratch)
@@ -248,6 +254,7 @@ class HexahedronBlock(Arena):
     @shared
     def volume(self) -> Floats:
         """(n,) signed volume of the trilinear cell: the mean of the determinants at the Gauss points, exact."""
-        out = np.sum(self.gauss_determinants, axis=0, out=self.array("volume"))
+        out = self.array("volume")
+        np.sum(self.gauss_determinants, axis=0, out=out)
         out /= 8
         return out

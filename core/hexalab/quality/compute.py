@@ -125,7 +125,7 @@ def quality_many(mesh: Mesh, metrics: Iterable[str] = METRICS) -> dict[str, Floa
         if metric not in METRICS:
             raise KeyError(f"no metric {metric!r}; there are {', '.join(METRICS)}")
     needed = dict.fromkeys(need for metric in wanted for need in NEEDS.get(metric, (metric,)))
-    out = {metric: np.full(mesh.cell_count, np.nan) for metric in needed}
+    out: dict[str, Floats] = {metric: np.full(mesh.cell_count, np.nan) for metric in needed}
     for kind, (make_block, of_kind) in KERNELS.items():
         cells = np.flatnonzero(mesh.kinds == kind)
         kernels = {metric: kernel for metric, kernel in of_kind.items() if metric in needed}

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..mesh import Array, Floats
+from .bezier import fill_middles
 
 EXPONENT_OF_ZERO = 1 << 20
 
@@ -50,7 +51,11 @@ def coefficients(points: Array) -> Array:
     -------
     (3, 3, 3, n) object
     """
-    u, v, w = points[:, :, :, 1] - points[:, :, :, 0], points[:, :, 1] - points[:, :, 0], points[:, 1] - points[:, 0]
+    u, v, w = (
+        points[:, :, :, 1] - points[:, :, :, 0],
+        points[:, :, 1] - points[:, :, 0],
+        points[:, 1] - points[:, 0],
+    )
     out = np.empty((3, 3, 3, points.shape[-1]), dtype=object)
     corners = determinant(u[:, :, :, None], v[:, :, None], w[:, None])
     along_u = determinant(u, v.sum(axis=2)[:, :, None], w.sum(axis=2)[:, None])
@@ -60,14 +65,5 @@ def coefficients(points: Array) -> Array:
     out[::2, ::2, 1] = (along_u - corners.sum(axis=2)) * 4
     out[::2, 1, ::2] = (along_v - corners.sum(axis=1)) * 4
     out[1, ::2, ::2] = (along_w - corners.sum(axis=0)) * 4
-    for axis in range(3):
-        faces = np.moveaxis(out, axis, 0)[::2]
-        faces[:, 1, 1] = _middle(faces)
-    out[1, 1, 1] = _middle(out[1])
+    fill_middles(out, exact=True)
     return out
-
-
-def _middle(square: Array) -> Array:
-    edges = square[..., 0, 1, :] + square[..., 2, 1, :] + square[..., 1, 0, :] + square[..., 1, 2, :]
-    corners = square[..., 0, 0, :] + square[..., 0, 2, :] + square[..., 2, 0, :] + square[..., 2, 2, :]
-    return np.asarray((2 * edges - corners) // 4)

@@ -170,7 +170,8 @@ def _corner_minimum(block: HexahedronBlock) -> Floats:
     scaled, n = block.array("own_8", 8), block.count
     for odd, half in enumerate((scaled[:4].reshape(2, 2, n), scaled[4:].reshape(2, 2, n))):
         u, v, w = (
-            block.at_corners(block.squares[4 * i : 4 * i + 4], name, bool(odd)) for i, name in enumerate("uvw")
+            block.at_corners(block.squares[4 * i : 4 * i + 4], name, bool(odd))
+            for i, name in enumerate("uvw")
         )
         np.multiply(u, v, out=half)
         half *= w

@@ -40,12 +40,12 @@ def statistics(
     if isinstance(metric, str):
         metric = METRICS[metric]
     values = np.asarray(values, dtype=np.float64)
-    considered = None
+    considered: NDArray[np.int64] | None = None
     if kinds is not None and metric is not None:
-        considered = np.isin(kinds, metric.kinds)
-        considered = None if considered.all() else np.flatnonzero(considered)
-    if considered is not None:
-        values = values[considered]
+        has = np.isin(kinds, metric.kinds)
+        if not has.all():
+            considered = np.flatnonzero(has)
+            values = values[considered]
     finite = np.isfinite(values)
     sound = values if finite.all() else values[finite]
     low_is_worst = metric is None or metric.direction == "high"
@@ -109,7 +109,7 @@ def _worst(values: Floats, low_is_worst: bool) -> NDArray[np.int64]:
     else:
         candidates = np.arange(key.size)
     candidates = candidates[np.lexsort((candidates, key[candidates]))]
-    return candidates if known is None else known[candidates]
+    return np.asarray(candidates if known is None else known[candidates])
 
 
 def histogram(values: Array, low: float, high: float, bins: int = 100) -> tuple[Floats, NDArray[np.int64]]:
@@ -120,8 +120,8 @@ def histogram(values: Array, low: float, high: float, bins: int = 100) -> tuple[
     values : (C,) float
         What is not finite or outside [low, high] is not counted.
     low, high : float
-        Ends of the range, both included (with a tolerance of 1e-12 of its width, for rounding). An empty range is widened
-        by half its value, or by a half at zero, so that its values stand in the middle.
+        Ends of the range, both included (with a tolerance of 1e-12 of its width, for rounding). An empty
+        range is widened by half its value, or by a half at zero, so that its values stand in the middle.
     bins : int
         Number of bins, at least 1.
 

@@ -1,4 +1,5 @@
-"""The table of metrics as data: ranges, ideal value, normalisation, source, and where Verdict's answer surprises."""
+"""The table of metrics as data: ranges, ideal value, normalisation, source, and where Verdict's answer "
+"surprises."""
 
 from __future__ import annotations
 
@@ -46,9 +47,10 @@ class Metric:
         Cell kinds (see `hexalab.mesh.KINDS`) that have the metric in Verdict under this name.
     formula : str
         For a hexahedron with corner edges u, v, w (right-handed) and principal axes X, Y, Z, the sums of the four
-        edges of each direction.
+        edges of each direction. After C. J. Stimpson, C. D. Ernst, P. Knupp, P. P. Pebay, D. Thompson, "The Verdict
+        Geometric Quality Library", SAND2007-1751, as VTK 9.6 computes it.
     remark : str
-        Where Verdict returns its sentinel 1e30, or a value that surprises.
+        Where Verdict returns its sentinel, 1e30 (here: the infinity at the worst end), or a value that surprises.
     """
 
     id: str
@@ -109,51 +111,89 @@ HEX_TET = (HEXAHEDRON, TETRAHEDRON)
 HEX_WEDGE = (HEXAHEDRON, WEDGE)
 HEX_WEDGE_TET = (HEXAHEDRON, WEDGE, TETRAHEDRON)
 
-_SHORT_EDGE = "Sentinel where an edge is shorter than 1e-15 (Verdict compares squared lengths with 1e-30)."
+SHORT_EDGE = "Sentinel where an edge, squared, is below 2.2e-15 of the squared diagonal of the cell's box."
+FLAT_CORNER = "where a corner's determinant is not above 2.2e-15 of the cubed diagonal of the cell's box."
+SIZE = (
+    "Verdict's size of a hexahedron is the mean determinant of its corners. 0 where eight times that, or "
+    "the mean volume, "
+    "is not above 2.2e-15, in the file's unit: cells of edges below 1e-5 all get 0. Sentinel if the mean "
+    "volume is negative."
+)
+"""Quirks that several metrics share; each kernel's docstring has its own thresholds."""
 
 _ROWS = (
     Metric("diagonal", "Diagonal", "DIA", (0, 1), (0.65, 1), 1, "high", IDENTITY, 0, HEX,
-        "shortest over longest of the four space diagonals"),
-    Metric("distortion", "Distortion", "DIS", (-inf, inf), (0.5, 1), 1, "high", BETWEEN_EXTREMES, 0, HEX_WEDGE_TET,
-        "8 min |J| / volume"),
+        "shortest over longest of the four space diagonals",
+        "Sentinel where the box diagonal is below 2.2e-15."),
+    Metric("distortion", "Distortion", "DIS", (-inf, inf), (0.5, 1), 1, "high", BETWEEN_EXTREMES, 0,
+        HEX_WEDGE_TET, "smallest determinant of corners and 2 x 2 x 2 Gauss points, over the volume",
+        "Both are signed, so that an inverted cell may get 1. Sentinel where the volume is 0. Wrong for "
+        "determinants above "
+        "8e30: Verdict starts at 1e30 when it looks for the smallest. Tetrahedra: 1."),
     Metric("edge_ratio", "Edge Ratio", "ER", (1, inf), None, 1, "low", DOWN_TO_ONE, 0, HEX_WEDGE_TET,
-        "longest over shortest edge", _SHORT_EDGE),
+        "longest over shortest edge",
+        "VTK 9.6 looks for a hexahedron's longest edge among 01, 12, 23, 30, 45 and 56 alone, so that "
+        "values are too small, "
+        "even below 1; so are ours. " + SHORT_EDGE),
     Metric("jacobian", "Jacobian", "J", (-inf, inf), (0, inf), 1, "high", BETWEEN_EXTREMES, 3, ALL,
-        "min of u.(v x w) at the eight corners and X.(Y x Z) / 64"),
+        "min of u.(v x w) at the eight corners and X.(Y x Z) / 64",
+        "Clamped at 1e30: infinite there."),
     Metric("max_edge_ratio", "Maximum Edge Ratio", "MER", (1, inf), (1, 1.3), 1, "low", DOWN_TO_ONE, 0, HEX,
-        "longest over shortest of X, Y, Z"),
-    Metric("max_aspect_frobenius", "Maximum Aspect Frobenius", "MAAF", (1, inf), (1, 3), 1, "low", DOWN_TO_ONE, 0,
-        HEX_WEDGE, "max over corners of |A| |A^-1| / 3, A = (u, v, w)"),
-    Metric("mean_aspect_frobenius", "Mean Aspect Frobenius", "MEAF", (1, inf), (1, 3), 1, "low", DOWN_TO_ONE, 0,
-        HEX_WEDGE, "mean over corners of |A| |A^-1| / 3, A = (u, v, w)"),
+        "longest over shortest of X, Y, Z",
+        "Sentinel where one of them is below 2.2e-15 of the box diagonal."),
+    Metric("max_aspect_frobenius", "Maximum Aspect Frobenius", "MAAF", (1, inf), (1, 3), 1, "low", DOWN_TO_ONE,
+        0, HEX_WEDGE, "max over corners of |A| |A^-1| / 3, A = (u, v, w)",
+        "Sentinel " + FLAT_CORNER + " Wedges: aspects of the corners' tetrahedra over 1.16477, rounded, so "
+        "that the unit "
+        "wedge gets 1.0000034."),
+    Metric("mean_aspect_frobenius", "Mean Aspect Frobenius", "MEAF", (1, inf), (1, 3), 1, "low", DOWN_TO_ONE,
+        0, HEX_WEDGE, "mean over corners of |A| |A^-1| / 3, A = (u, v, w)",
+        "As for the maximum."),
     Metric("oddy", "Oddy", "ODD", (0, inf), (0, 0.5), 0, "low", DOWN_TO_ZERO, 0, HEX,
-        "max over corners and centre of (|A^T A|^2 - |A|^4 / 3) / det(A)^(4/3)"),
+        "max over corners and centre of (|A^T A|^2 - |A|^4 / 3) / det(A)^(4/3)",
+        "Sentinel where a determinant is not above 2.2e-15, in the file's unit: cells of edges below 1.3e-5 "
+        "have none."),
     Metric("relative_size_squared", "Relative Size Squared", "RSS", (0, 1), (0.5, 1), None, "high", IDENTITY, 0,
-        HEX_TET, "min(D, 1/D)^2, D = volume over mean volume of the mesh's cells of the kind"),
+        HEX_TET, "min(D, 1/D)^2, D the cell's size over the mean volume of the mesh's cells of its kind", SIZE),
     Metric("scaled_jacobian", "Scaled Jacobian", "SJ", (-1, 1), (0.5, 1), 1, "high", IDENTITY, 0, ALL,
-        "min over corners and centre of u.(v x w) / (|u| |v| |w|)", _SHORT_EDGE),
+        "min over corners and centre of u.(v x w) / (|u| |v| |w|)",
+        SHORT_EDGE + " Rounding may pass 1 by 1e-15."),
     Metric("shape", "Shape", "SHA", (0, 1), (0.3, 1), 1, "high", IDENTITY, 0, ALL,
-        "min over corners and centre of 3 det(A)^(2/3) / |A|^2"),
+        "min over corners of 3 det(A)^(2/3) / |A|^2",
+        "The manual's centre is left out by VTK. 0 " + FLAT_CORNER),
     Metric("shape_and_size", "Shape and Size", "SHAS", (0, 1), (0.2, 1), None, "high", IDENTITY, 0, HEX_TET,
-        "shape times relative size squared"),
+        "shape times relative size squared", SIZE),
     Metric("shear", "Shear", "SHE", (0, 1), (0.3, 1), 1, "high", IDENTITY, 0, HEX,
-        "scaled Jacobian, 0 where not positive"),
+        "min over corners of u.(v x w) / (|u| |v| |w|), 0 where not positive",
+        "0 also where an edge is short, as for the Scaled Jacobian, and " + FLAT_CORNER),
     Metric("shear_and_size", "Shear and Size", "SHES", (0, 1), (0.2, 1), None, "high", IDENTITY, 0, HEX,
-        "shear times relative size squared"),
+        "shear times relative size squared", SIZE),
     Metric("skew", "Skew", "SKE", (0, inf), (0, 0.5), 0, "low", DOWN_TO_ZERO, 0, HEX,
-        "largest |cosine| between X, Y, Z"),
+        "largest |cosine| between X, Y, Z",
+        "Sentinel where one of them is below 4.4e-15 of the box diagonal."),
     Metric("stretch", "Stretch", "STR", (0, inf), (0.25, 1), 1, "high", SHARE_OF_HIGHEST, 0, HEX,
-        "sqrt(3) shortest edge / longest space diagonal"),
+        "sqrt(3) shortest edge / longest space diagonal",
+        "Sentinel where the box diagonal is below 2.2e-15."),
     Metric("taper", "Taper", "TAP", (0, inf), (0, 0.5), 0, "low", DOWN_TO_ZERO, 0, HEX,
-        "max of |XY| / min(|X|, |Y|) and the same of XZ and YZ, XY the mixed second difference"),
+        "max of |XY| / min(|X|, |Y|) and the same of XZ and YZ, XY the mixed second difference",
+        "Sentinel where X, Y or Z is below 2.2e-15 of the box diagonal."),
     Metric("volume", "Volume", "VOL", (-inf, inf), (0, inf), 1, "high", BETWEEN_EXTREMES, 3, ALL,
-        "signed volume of the trilinear cell"),
+        "signed volume of the trilinear cell",
+        "VTK 9.6 integrates; the manual's X.(Y x Z) / 64 is another number. Clamped at 1e30: infinite there."),
     Metric("dimension", "Dimension", "DIM", (0, inf), None, 1 / sqrt(3), "high", SHARE_OF_HIGHEST, 1, HEX,
-        "volume / sqrt(2 sum of squared volume gradients)"),
-    Metric("equiangle_skew", "Equiangle Skew", "EAS", (0, 1), None, 0, "low", DOWN_TO_ZERO, 0, ALL,
-        "max over face angles of (angle - 90) / 90 and (90 - angle) / 90, in degrees"),
-    Metric("nodal_jacobian_ratio", "Nodal Jacobian Ratio", "NJR", (-inf, 1), None, 1, "high", BETWEEN_EXTREMES, 0,
-        HEX, "smallest over largest u.(v x w) of the eight corners"),
+        "volume / sqrt(2 sum of squared volume gradients)",
+        "Summed from raw coordinates, which loses digits far from the origin; so do we. Sentinel where all "
+        "vanishes."),
+    Metric("equiangle_skew", "Equiangle Skew", "EAS", (0, 3), None, 0, "low", DOWN_TO_ZERO, 0, ALL,
+        "max over face angles of (angle - 90) / 90 and (90 - angle) / 90, in degrees",
+        "The widest angle of a face that is not convex counts as 360 minus it, so that values pass 1; faces "
+        "with an edge "
+        "below 2.2e-15 count as -1. Tetrahedra: dihedral angles count too."),
+    Metric("nodal_jacobian_ratio", "Nodal Jacobian Ratio", "NJR", (-inf, 1), None, 1, "high", BETWEEN_EXTREMES,
+        0, HEX, "smallest over largest u.(v x w) of the eight corners",
+        "Sentinel where the largest is not above 2.2e-15, in the file's unit. Expanded from raw "
+        "coordinates, which loses "
+        "digits far from the origin; so do we. Wrong where all are above 1e30, as for distortion."),
 )  # fmt: skip
 
 METRICS: dict[str, Metric] = {metric.id: metric for metric in _ROWS}

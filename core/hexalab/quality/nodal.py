@@ -50,7 +50,9 @@ def nodal_jacobian_ratio(block: HexahedronBlock, out: Floats) -> None:
     out[~(largest > TOLERANCE)] = -inf
 
 
-def _determinant(block: HexahedronBlock, areas: Floats, corner: tuple[int, int, int, int], out: Floats) -> None:
+def _determinant(
+    block: HexahedronBlock, areas: Floats, corner: tuple[int, int, int, int], out: Floats
+) -> None:
     """Determinant of the edges from a corner to its neighbours: sum over the four nodes of z times a minor."""
     minor = block.array("minor")
     for place, node in enumerate(sorted(corner)):

@@ -8,8 +8,7 @@ import numpy as np
 
 from ..mesh import HEXAHEDRON, TETRAHEDRON, Floats, Mesh
 from .block import TOLERANCE
-
-HUGE = 1e30
+from .hexahedron import HUGE
 
 NEEDS = {
     "relative_size_squared": ("volume", "corner_sum"),
@@ -17,6 +16,7 @@ NEEDS = {
     "shear_and_size": ("volume", "corner_sum", "shear"),
 }
 """What each of these metrics is made from."""
+
 
 def with_sizes(mesh: Mesh, values: dict[str, Floats], wanted: list[str]) -> None:
     """Add the wanted size metrics to `values`, from what `NEEDS` names.

@@ -70,10 +70,10 @@ class Validity:
 def certify(mesh: Mesh, depth: int = DEPTH) -> Validity:
     """Decide for each cell whether its Jacobian determinant is positive everywhere.
 
-    Hexahedra are certified over the whole trilinear cell. One that repeats vertices is taken as it stands, with the
-    trilinear map of its eight corners: where an edge has collapsed the determinant is zero, so it is invalid, as it is for
-    an integration rule that does not know better. Of the other kinds the determinants at their own nodes decide (which
-    is exact for tetrahedra; at a pyramid's apex none is taken).
+    Hexahedra are certified over the whole trilinear cell. One that repeats vertices is taken as it stands, with
+    the trilinear map of its eight corners: where an edge has collapsed the determinant is zero, so it is invalid,
+    as it is for an integration rule that does not know better. Of the other kinds the determinants at their own
+    nodes decide (which is exact for tetrahedra; at a pyramid's apex none is taken).
 
     Parameters
     ----------
@@ -98,9 +98,7 @@ def certify(mesh: Mesh, depth: int = DEPTH) -> Validity:
     return Validity(state, minimum)
 
 
-def _hexahedra(
-    mesh: Mesh, cells: Array, depth: int, state: NDArray[np.uint8], minimum: Floats
-) -> None:
+def _hexahedra(mesh: Mesh, cells: Array, depth: int, state: NDArray[np.uint8], minimum: Floats) -> None:
     every, block = cells.size == mesh.cell_count, BezierBlock()
     open_cells, open_coefficients, near = [], [], []
     for start in range(0, cells.size, BLOCK):
@@ -135,11 +133,11 @@ def _subdivide(
 
     Where a piece's corner is closer to zero than rounding can tell, cutting on is hopeless: the cell stays open.
     """
-    owner = np.arange(ids.size)
+    owner: Array = np.arange(ids.size)
     lowest = np.full(ids.size, np.inf)
     invalid, hopeless = np.zeros(ids.size, dtype=bool), np.zeros(ids.size, dtype=bool)
     for _ in range(depth):
-        values, owner = octants(values, exact=False), np.tile(owner, 8)
+        values, owner = octants(values, exact=False), np.concatenate([owner] * 8)
         low = values.min(axis=(0, 1, 2)) - error[owner]
         corner = values[::2, ::2, ::2].min(axis=(0, 1, 2))
         invalid[owner[corner < -error[owner]]] = True
@@ -185,11 +183,12 @@ def _collapsed(points: Floats) -> NDArray[np.bool_]:
 
 
 def _subdivide_exactly(grid: Array, ids: Array, depth: int, state: NDArray[np.uint8]) -> None:
-    values, owner = exact.coefficients(grid), np.arange(ids.size)
+    values = exact.coefficients(grid)
+    owner: Array = np.arange(ids.size)
     invalid, too_many = np.zeros(ids.size, dtype=bool), np.zeros(ids.size, dtype=bool)
     for level in range(depth + 1):
         if level:
-            values, owner = octants(values, exact=True), np.tile(owner, 8)
+            values, owner = octants(values, exact=True), np.concatenate([owner] * 8)
         invalid[owner[values[::2, ::2, ::2].min(axis=(0, 1, 2)) <= 0]] = True
         keep = np.flatnonzero((values.min(axis=(0, 1, 2)) <= 0) & ~invalid[owner])
         too_many |= np.bincount(owner[keep], minlength=ids.size) > PIECES
@@ -202,9 +201,7 @@ def _subdivide_exactly(grid: Array, ids: Array, depth: int, state: NDArray[np.ui
     state[ids] = np.where(invalid, INVALID, np.where(still_open, UNDECIDED, VALID))
 
 
-def _other_kind(
-    mesh: Mesh, kind: int, cells: Array, state: NDArray[np.uint8], minimum: Floats
-) -> None:
+def _other_kind(mesh: Mesh, kind: int, cells: Array, state: NDArray[np.uint8], minimum: Floats) -> None:
     """Decide tetrahedra, pyramids or wedges by the determinants at their nodes."""
     block = other_kinds.BLOCKS[kind]()
     places = sorted(CORNERS_OF_KIND[kind])
@@ -212,7 +209,9 @@ def _other_kind(
         ids = cells[start : start + BLOCK]
         block.load(mesh.coordinates, mesh.corners[:, ids])
         least = block.determinants.min(axis=0)
-        magnitude = np.prod([np.abs(edges).max(axis=(0, 1)) for edges in zip(*block.vectors, strict=True)], axis=0)
+        magnitude = np.prod(
+            [np.abs(edges).max(axis=(0, 1)) for edges in zip(*block.vectors, strict=True)], axis=0
+        )
         minimum[ids] = least
         state[ids] = np.where(least > 0, VALID, INVALID)
         near = np.flatnonzero(~(np.abs(least) > CORNER_ERROR * magnitude) | ~(magnitude > 1e-280))
