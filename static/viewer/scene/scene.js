@@ -238,7 +238,7 @@ export class Scene {
 
   /** @returns {Promise<void>} when the picture is drawn and will not change by itself */
   settled() {
-    this.#loop.wake();
+    this.#loop.invalidate();
     return new Promise((resolve) => this.#waiting.push(resolve));
   }
 
