@@ -13,6 +13,8 @@ import hexalab
 from hexalab.diagnosis import turn_round
 from hexalab.formats import read_bytes
 from hexalab.quality import histogram, quality
+from hexalab.quality.validity import certify
+from hexalab.session import Session
 from hexalab.summary import summarise
 
 from .facts import Facts
@@ -57,8 +59,6 @@ class Measurer:
         """What the viewer draws of a mesh before Python has started: its surface under the default status."""
         kept = self._kept(str(facts.sha256), "preview")
         if not kept.exists():
-            from hexalab.session import Session
-
             session = Session()
             session.open(file.name, file.read_bytes())
             kept.parent.mkdir(parents=True, exist_ok=True)
@@ -96,12 +96,7 @@ def _valences(key: str, value: Any) -> Any:
     return {int(v): n for v, n in value.items()} if key.endswith("_edge_valence") else value
 
 
-def _validity(mesh: hexalab.Mesh) -> dict[str, int] | None:
-    try:
-        from hexalab.quality.validity import certify
-    except ModuleNotFoundError:
-        return None
-
+def _validity(mesh: hexalab.Mesh) -> dict[str, int]:
     counts = np.bincount(certify(mesh).state, minlength=3)
     return {word: int(count) for word, count in zip(("invalid", "valid", "undecided"), counts, strict=True)}
 
