@@ -51,7 +51,8 @@ def read(file: str | os.PathLike[str] | BinaryIO) -> Mesh:
     if isinstance(file, str | os.PathLike):
         path = Path(file)
         try:
-            data = path.read_bytes()
+            with open(path, "rb") as stream:
+                data = stream.read()
         except OSError as error:
             raise MeshReadError(
                 f"the file can't be read: {error.strerror or error}", file=str(path)

@@ -18,6 +18,8 @@ def native(values: Array) -> Array:
     """
     if not values.flags.aligned and values.ndim and values.strides[-1] == values.itemsize:
         values = values.view(np.uint8).copy().view(values.dtype)
+        if not values.dtype.isnative:
+            values = values.byteswap(inplace=True).view(values.dtype.newbyteorder("="))
     return values.astype(values.dtype.newbyteorder("="), copy=False)
 
 
@@ -25,7 +27,7 @@ def as_coordinates(rows: Array) -> Array:
     """(3, n) float64 from (n, 3) rows of x, y, z in any number type, byte order and alignment."""
     out = np.empty((3, len(rows)))
     with np.errstate(invalid="ignore"):
-        for start in range(0, len(rows), ROWS):
-            part = slice(start, start + ROWS)
+        for start in range(0, len(rows), 2 * ROWS):
+            part = slice(start, start + 2 * ROWS)
             out[:, part] = native(rows[part]).T
     return out

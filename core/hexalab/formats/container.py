@@ -35,6 +35,7 @@ NO_MESHES = (
     (b"BZh", "a bzip2 archive"),
     (b"\x28\xb5\x2f\xfd", "a Zstandard archive"),
     (b"\x7fELF", "a program"),
+    (b"OVMB", "OpenVolumeMesh's binary .ovmb; only the ASCII form .ovm can be read"),
     (b"\xff\xfe", "text in UTF-16, expected ASCII or UTF-8"),
     (b"\xfe\xff", "text in UTF-16, expected ASCII or UTF-8"),
 )

@@ -161,7 +161,6 @@ def gathered(rows: Rows, which: Array, order: tuple[int, ...]) -> Ids:
     out = np.empty((len(order), count), dtype=np.int32)
     step = int(rows.starts[1] - rows.starts[0]) if rows.uniform and count > 1 else 0
     whole = step > 0 and count == len(rows.starts)
-    wide = rows.ids.dtype.itemsize > 4 or rows.ids.dtype.kind == "u"
     for start in range(0, count, ROWS):
         part = slice(start, min(start + ROWS, count))
         if whole:
@@ -170,13 +169,12 @@ def gathered(rows: Rows, which: Array, order: tuple[int, ...]) -> Ids:
             stretch = native(rows.ids[first : first + step * (length - 1) + rows.uniform])
             strides = (step * stretch.itemsize, stretch.itemsize)
             table = np.lib.stride_tricks.as_strided(stretch, (length, rows.uniform), strides)
-            table = within_int32(table).astype(np.int32) if wide else table
-            columns = [table[:, own] for own in order]
+            table = within_int32(table)
+            out[:, part] = table.T if list(order) == list(range(rows.uniform)) else table.T[list(order)]
         else:
             begin = rows.starts[which[part]]
-            columns = [within_int32(native(rows.ids[begin + own])) for own in order]
-        for corner, values in zip(out, columns, strict=True):
-            corner[part] = values
+            for corner, own in zip(out, order, strict=True):
+                corner[part] = within_int32(native(rows.ids[begin + own]))
     return out
 
 

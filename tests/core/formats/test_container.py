@@ -72,6 +72,7 @@ def test_R10_gzip_bomb_is_refused_while_inflating(monkeypatch: pytest.MonkeyPatc
         (b"%PDF-1.4", "PDF"),
         (b"PK\x03\x04....", "zip archive"),
         (b"\x89HDF\r\n\x1a\n", "HDF5"),
+        (b"OVMB\n\r\n\xff....", r"binary \.ovmb"),
         ("MeshVersionFormatted 1".encode("utf-16"), "UTF-16"),
     ],
 )
