@@ -5,6 +5,9 @@ export const DIRECTIONS = 1024;
 // effectiveness of quasirandom sequences"). Steps of 1/g and 1/g^2 fill the square evenly at every length.
 const G = 1.32471795724474602596;
 
+/** Where the heights begin: of forty places, the one whose shortest prefixes are the most even. */
+const BEGIN = 0.65;
+
 /**
  * Directions spread evenly over the sphere, the same on every run, such that the first n are evenly spread too for every n:
  * a quasirandom sequence on the square, carried over by Archimedes' map, which keeps areas.
@@ -15,7 +18,7 @@ const G = 1.32471795724474602596;
 export function directions(count = DIRECTIONS) {
   const out = new Float64Array(3 * count);
   for (let k = 0; k < count; k++) {
-    const z = 1 - 2 * ((0.5 + k / G) % 1);
+    const z = 1 - 2 * ((BEGIN + k / G) % 1);
     const angle = 2 * Math.PI * ((0.5 + k / (G * G)) % 1);
     const r = Math.sqrt(1 - z * z);
     out[3 * k] = r * Math.cos(angle);

@@ -49,9 +49,10 @@ export class Lighting {
     this.#began = performance.now();
   }
 
-  /** The GPU has forgotten everything. */
+  /** The context is lost: drops what lay in it, while that can still be said without error, to begin anew in the next. */
   forget() {
     this.object.forget();
+    this.#screen.forget();
     this.#budget.reset();
     this.restart();
   }

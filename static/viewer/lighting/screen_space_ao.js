@@ -140,7 +140,7 @@ export class ScreenSpaceAO {
     if (this.#normals && this.#open && this.#normals.width === width && this.#normals.height === height) {
       return { normals: this.#normals, open: this.#open };
     }
-    this.#release();
+    this.forget();
     this.#normals = new WebGLRenderTarget(width, height, {
       format: RGBAFormat,
       type: UnsignedByteType,
@@ -162,7 +162,8 @@ export class ScreenSpaceAO {
     return { normals: this.#normals, open: this.#open };
   }
 
-  #release() {
+  /** Gives up its targets, to make new ones when next asked. */
+  forget() {
     this.#normals?.depthTexture?.dispose();
     this.#normals?.dispose();
     this.#open?.forEach((target) => target.dispose());
@@ -170,7 +171,7 @@ export class ScreenSpaceAO {
   }
 
   dispose() {
-    this.#release();
+    this.forget();
     this.#screen.geometry.dispose();
     for (const material of [this.#geometryMaterial, this.#occlusion, this.#blur]) material.dispose();
   }

@@ -348,11 +348,11 @@ export class Scene {
   #lost(event) {
     event.preventDefault();
     this.#loop.stopped = true;
+    this.#lighting.forget();
     this.#events.emit("contextlost");
   }
 
   #restored() {
-    this.#lighting.forget();
     this.#loop.stopped = false;
     this.#events.emit("contextrestored");
   }

@@ -117,7 +117,7 @@ void main() {
       open = mix(open, screen, screenShare);
     }
     if (occlusionShare > 0.0) open = mix(open, faceOpenness(), occlusionShare);
-    light = vec3(open * mix(0.88, 1.0, facing));
+    light = vec3(open * mix(0.82, 1.0, facing));
   }
   pixel = vec4(vColour * light, 1.0);
 }

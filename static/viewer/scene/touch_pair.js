@@ -26,9 +26,10 @@ export class TouchPair {
    * @returns {{ dx: number, dy: number, scale: number, roll: number, x: number, y: number } | null}
    */
   move(id, place) {
+    if (!this.#fingers.has(id)) return null;
     const before = this.#shape();
-    if (!before || !this.#fingers.has(id)) return null;
     this.#fingers.set(id, place);
+    if (!before) return null;
     const after = this.#shape() ?? before;
     return {
       dx: after.x - before.x,

@@ -1,0 +1,191 @@
+"""Silhouette, irregular edges, plane; a lost context; pictures for papers."""
+
+from __future__ import annotations
+
+import base64
+import io
+from typing import Any
+
+import numpy as np
+from PIL import Image
+
+from .grids import grid_surface
+from .test_drawing import FRONT, NO_LINES, show
+
+
+def structure(lines: Any, valence: list[int], boundary: list[int]) -> dict[str, Any]:
+    """Return an irregular structure of wires, each with one barb and one flap downwards."""
+    ends = np.array(lines, np.float32)
+    down = np.array([0, -0.08, 0], np.float32)
+    barbs = np.stack([ends[:, 0], ends[:, 0] + down], axis=1)
+    paper = np.stack([ends[:, 0], ends[:, 1], ends[:, 1] + down, ends[:, 0] + down], axis=1)
+    kinds = {"valence": np.array(valence, np.uint8), "boundary": np.array(boundary, np.uint8)}
+    out = {"edges": ends.ravel(), "barbs": barbs.ravel(), "paper": paper.ravel(), **kinds}
+    for part in ("barb", "paper"):
+        out |= {f"{part}_{name}": value for name, value in kinds.items()}
+    return out
+
+
+def test_V3_the_silhouette_runs_from_none_over_flat_to_shaded(stage: Any) -> None:
+    shown = np.ones((4, 2, 2), bool)
+    shown[2:] = False
+    hidden = grid_surface(~shown)
+    show(stage, shown, camera={**FRONT, "projection": "orthographic", "direction": [0, -0.5, -0.9]})
+    stage.call("setSilhouette", {"positions": hidden["positions"], "normals": hidden["normals"]})
+    found = {}
+    for strength in (0, 0.5, 1):
+        stage.call("setStatus", {"silhouette": strength})
+        stage.settle()
+        found[strength] = stage.picture()
+    ghost = np.any(found[0.5] != found[0], axis=2)
+    assert 2000 < ghost.sum() < 60_000
+    inside = found[0.5][ghost]
+    values, counts = np.unique(inside, axis=0, return_counts=True)
+    assert values[counts.argmax()].tolist() == [0xD7, 0xD7, 0xF0]
+    assert counts.max() > 0.9 * ghost.sum(), "one even tone, however many faces lie behind each other"
+    shaded = found[1][ghost].astype(int)
+    assert shaded.min() > 150 and shaded.std() > 0.5
+    model = np.all(found[0] == [255, 255, 0], axis=2) | np.all(found[0] == [255, 255, 255], axis=2)
+    assert np.array_equal(found[1][~ghost & model], found[0][~ghost & model])
+
+
+def test_V3_the_silhouette_never_covers_the_model(stage: Any) -> None:
+    shown = np.ones((2, 2, 4), bool)
+    shown[:, :, 2:] = False
+    hidden = grid_surface(~shown)
+    colours = {"by": "sides", "inside": "#ff8800"}
+    show(stage, shown, camera={**FRONT, "projection": "orthographic"}, colour=colours)
+    before = stage.picture()
+    stage.call("setSilhouette", {"positions": hidden["positions"], "normals": hidden["normals"]})
+    stage.call("setStatus", {"silhouette": 1})
+    stage.settle()
+    model = np.all(before == [255, 0x88, 0], axis=2)
+    assert model.sum() > 3000
+    assert np.array_equal(stage.picture()[model], before[model])
+
+
+def test_V4_seven_steps_show_what_they_say(stage: Any) -> None:
+    shown = np.ones((2, 2, 2), bool)
+    show(stage, shown, camera={**FRONT, "projection": "orthographic"}, silhouette=0)
+    bare = stage.picture()
+    free = [[-0.5, 0.35, 0], [0.5, 0.35, 0]]
+    behind = [[-0.2, 0.1, -0.4], [0.2, 0.1, -0.4]]
+    rim = [[-0.5, -0.35, 0], [0.5, -0.35, 0]]
+    stage.call("setIrregular", structure([free, behind, rim], [3, 5, 6], [0, 0, 1]))
+    seen = []
+    for mode in range(7):
+        stage.call("setStatus", {"irregular": {"mode": mode, "boundary": False}})
+        stage.settle()
+        seen.append(np.any(stage.picture() != bare, axis=2))
+    height = [rows.any(axis=1).sum() for rows in (mask[:60] for mask in seen)]
+    through = [mask[110:145].sum() for mask in seen]
+    assert not seen[0].any()
+    assert 1 <= height[1] <= 4 and height[2] == height[1]
+    assert height[3] > 15 and height[4] == height[3] and height[5] > 15
+    assert [bool(amount) for amount in through] == [False, False, True, False, True, False, True]
+    assert all(not mask[200:].any() for mask in seen), "those of the boundary are off"
+    stage.call("setStatus", {"irregular": {"mode": 1, "boundary": True}})
+    stage.settle()
+    assert np.any(stage.picture()[200:] != bare[200:])
+
+
+def test_V4_valences_differ_in_colour(stage: Any) -> None:
+    show(stage, np.ones((1, 1, 1), bool), camera={**FRONT, "projection": "orthographic"}, silhouette=0)
+    lines = [[[-0.3, 0.36 - 0.02 * k, 0.4], [0.3, 0.36 - 0.02 * k, 0.4]] for k in range(4)]
+    stage.call("setIrregular", structure(lines, [2, 3, 5, 7], [0, 0, 0, 0]))
+    stage.call("setStatus", {"irregular": {"mode": 1}})
+    stage.settle()
+    column = stage.picture()[:, 200].astype(int)
+    inked = {tuple(p // 60) for p in column[:60] if p.min() < 140}
+    assert len(inked) >= 4
+
+
+def test_F1_the_plane_stands_where_it_cuts(stage: Any) -> None:
+    show(stage, np.ones((4, 1, 1), bool), camera={**FRONT, "projection": "orthographic"}, silhouette=0)
+    before = stage.picture()
+    stage.call("showPlane", {"normal": [1, 0, 0], "offset": 0.75, "extent": [-0.4, 0.4]})
+    stage.settle()
+    changed = np.any(stage.picture() != before, axis=2)
+    columns = np.nonzero(changed.any(axis=0))[0]
+    size = 300 / (2 * 1.5 * np.tan(np.radians(15)))
+    assert abs(columns.mean() - (200 + 0.2 * size)) < 2
+    stage.call("showPlane", None)
+    stage.settle()
+    assert np.array_equal(stage.picture(), before)
+
+
+def test_V9_a_lost_context_comes_back_with_the_same_picture(stage: Any) -> None:
+    show(stage, np.ones((3, 3, 3), bool), lighting={"mode": "object_space_ao"}, colour={"by": "sides"})
+    stage.run("scene.settled()")
+    before = stage.picture()
+    stage.run("""async () => {
+        const gl = document.querySelector('canvas').getContext('webgl2');
+        window.told = [];
+        scene.on('contextlost', () => told.push('lost'));
+        scene.on('contextrestored', () => told.push('restored'));
+        const loss = gl.getExtension('WEBGL_lose_context');
+        loss.loseContext();
+        await new Promise((done) => setTimeout(done, 200));
+        loss.restoreContext();
+        await new Promise((done) => setTimeout(done, 200));
+        await scene.settled();
+    }""")
+    assert stage.run("told") == ["lost", "restored"]
+    stage.settle()
+    after = stage.picture()
+    assert np.abs(after.astype(int) - before).max() <= 1
+    stage.messages[:] = [m for m in stage.messages if "Context Lost" not in m and "CONTEXT_LOST" not in m]
+    stage.messages[:] = [m for m in stage.messages if "Context Restored" not in m]
+
+
+def screenshot(stage: Any, **options: Any) -> np.ndarray:
+    """Return a screenshot's pixels, (h, w, 4)."""
+    data = stage.page.evaluate(
+        """async (options) => {
+            const bytes = new Uint8Array(await (await scene.screenshot(options)).arrayBuffer());
+            let text = '';
+            for (let k = 0; k < bytes.length; k += 8192) text += String.fromCharCode(...bytes.subarray(k, k + 8192));
+            return btoa(text);
+        }""",
+        options,
+    )
+    return np.array(Image.open(io.BytesIO(base64.b64decode(data))).convert("RGBA"))
+
+
+def test_S5_a_picture_of_any_size_shows_what_the_canvas_shows(stage: Any) -> None:
+    shown = np.ones((4, 3, 3), bool)
+    shown[2:, 1:, 1:] = False
+    view = {**FRONT, "direction": [-0.5, -0.5, -0.7], "projection": "perspective"}
+    show(stage, shown, camera=view, lighting={"mode": "object_space_ao"}, separation={"line_opacity": 0.4})
+    stage.run("scene.settled()")
+    stage.settle()
+    canvas = stage.picture().astype(int)[:210, :310]
+    same = screenshot(stage, width=400, height=300)
+    assert same.shape == (300, 400, 4) and np.all(same[..., 3] == 255)
+    difference = np.abs(same[:210, :310, :3].astype(int) - canvas)
+    assert difference.mean() < 2.5
+    large = screenshot(stage, width=2600, height=1950)
+    assert large.shape == (1950, 2600, 4)
+    small = np.array(Image.fromarray(large[..., :3]).resize((400, 300), Image.Resampling.BOX)).astype(int)
+    assert np.abs(small[:210, :310] - canvas).mean() < 2.5
+    seam = np.abs(np.diff(large[..., :3].astype(int), axis=1)).mean(axis=(0, 2))
+    assert seam[1023] < 5 * np.median(seam) + 1, "tiles meet without a seam"
+    again = screenshot(stage, width=400, height=300)
+    assert np.array_equal(again, same)
+
+
+def test_S5_a_transparent_background_has_no_fringe(stage: Any) -> None:
+    show(stage, np.ones((2, 2, 2), bool), separation=NO_LINES, silhouette=0, background="#ff0000")
+    stage.call("setStatus", {"camera": {**FRONT, "direction": [-0.5, -0.3, -0.8]}})
+    picture = screenshot(stage, width=300, height=300, transparent=True)
+    alpha = picture[..., 3]
+    assert alpha[0, 0] == 0 and alpha[150, 150] == 255
+    rim = (alpha > 40) & (alpha < 255)
+    assert rim.any()
+    assert picture[rim][:, 1].min() > 240, "the red background must not bleed into the rim"
+
+
+def test_S5_a_size_out_of_bounds_is_refused(stage: Any) -> None:
+    show(stage, np.ones((1, 1, 1), bool))
+    refusal = stage.run("scene.screenshot({ width: 9000, height: 10 }).catch((e) => e.message)")
+    assert "8192" in refusal and "9000" in refusal
