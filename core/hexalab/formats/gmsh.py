@@ -18,7 +18,7 @@ from .gmsh_numbers import Numbers
 from .gmsh_parts import Elements, Nodes
 from .ids import Numbering
 from .source import Source
-from .text import shown
+from .tokens import shown
 
 
 def read(source: Source) -> Mesh:

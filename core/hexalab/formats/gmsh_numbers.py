@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from ..errors import MeshReadError
 from .byte_order import native
 from .source import Source
-from .text import Text, shown
+from .text import Text
+from .tokens import shown
 
 
 class Numbers:

@@ -18,7 +18,8 @@ from .assembly import Assembly, CellBlock, check_finite
 from .ids import within_int32
 from .medit_keywords import CELLS, ORDERS, SKIPPED, SURFACE
 from .source import Source
-from .text import NUMBER, Interrupted, Text, shown
+from .text import Interrupted, Text
+from .tokens import NUMBER, shown
 
 NEXT_KEYWORD = re.compile(rb"(?<!\S)[A-Za-z]\S*")
 REFERENCE = "reference"

@@ -18,7 +18,8 @@ from .half_faces import rebuilt
 from .ids import within_int32
 from .row_chain import COUNTED, row_starts
 from .source import Source
-from .text import Text, shown
+from .text import Text
+from .tokens import shown
 
 COMPONENTS = dict.fromkeys(
     ("float", "double", "int", "uint", "unsigned_int", "short", "long", "bool", "char", "uchar"), 1

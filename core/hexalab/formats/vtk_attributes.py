@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from ..mesh import Array
 from .assembly import Assembly, free_name
 from .byte_order import native
-from .text import INTEGER, Text, shown
+from .text import Text
+from .tokens import INTEGER, shown
 from .vtk_values import Values, decoded
 
 COMPONENTS = {

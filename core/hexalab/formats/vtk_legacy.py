@@ -17,7 +17,8 @@ from .assembly import Assembly, check_finite
 from .byte_order import as_coordinates, native
 from .row_chain import COUNTED, ErrorAt, row_starts
 from .source import Source
-from .text import NUMBER, Text, shown
+from .text import Text
+from .tokens import NUMBER, shown
 from .vtk_attributes import SECTIONS, Attributes
 from .vtk_cells import Rows, add_cells, spans
 from .vtk_values import Values

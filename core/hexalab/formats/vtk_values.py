@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from ..errors import MeshReadError
 from ..mesh import Array
 from .row_chain import ErrorAt
-from .text import Text, shown
+from .text import Text
+from .tokens import shown
 from .vtk_types import NUMBER_TYPES
 
 

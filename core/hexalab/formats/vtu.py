@@ -9,7 +9,7 @@ from ..mesh import Array, Mesh
 from .assembly import Assembly, check_finite, free_name
 from .byte_order import as_coordinates, native
 from .source import Source
-from .text import shown
+from .tokens import shown
 from .vtk_cells import Rows, add_cells, spans
 from .vtu_arrays import Arrays
 from .xml_tags import Element, parse

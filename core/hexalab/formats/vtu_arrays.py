@@ -15,7 +15,8 @@ from ..errors import MeshReadError
 from ..mesh import Array
 from .container import inflation_bound
 from .source import Source
-from .text import Text, shown
+from .text import Text
+from .tokens import shown
 from .xml_tags import Element
 
 TYPES = {

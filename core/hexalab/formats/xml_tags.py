@@ -11,7 +11,7 @@ import re
 from dataclasses import dataclass, field
 
 from .source import Source
-from .text import shown
+from .tokens import shown
 
 TAG = re.compile(
     rb"<!--.*?-->|<\?.*?\?>|<(/?)([A-Za-z_][\w.:-]*)((?:\s+[\w.:-]+\s*=\s*(?:\"[^\"<]*\"|'[^'<]*'))*)\s*(/?)>",

@@ -1,0 +1,75 @@
+"""Words and numbers in pieces of text, found and parsed by whole arrays."""
+
+from __future__ import annotations
+
+import re
+import warnings
+from typing import Any
+
+import numpy as np
+from numpy.typing import DTypeLike, NDArray
+
+WORD = re.compile(rb"\S+")
+NUMBER = re.compile(rb"[+-]?(?:\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?|nan|inf(?:inity)?)", re.I)
+INTEGER = re.compile(rb"[+-]?\d+")
+FORTRAN_EXPONENT = re.compile(rb"(?<=[\d.])[dD](?=[+-]?\d)")
+
+
+def parse(piece: bytes, dtype: DTypeLike) -> tuple[NDArray[Any], bool]:
+    """The numbers that a piece of text begins with, and whether something else stopped them.
+
+    No count is passed to numpy: where the text has fewer numbers, it returns memory that was never written.
+    """
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always", DeprecationWarning)
+        try:
+            values = np.fromstring(piece, dtype=dtype, sep=" ")
+        except ValueError:
+            caught.append(warnings.WarningMessage("", DeprecationWarning, "", 0))
+            good = next((m.start() for m in WORD.finditer(piece) if not is_number(m[0], dtype)), 0)
+            values = np.fromstring(piece[:good], dtype=dtype, sep=" ")
+    return values, bool(caught)
+
+
+def piece_end(data: bytes, start: int, size: int) -> int:
+    """Where to cut a piece of about that size: after white space, so that no number is cut in two."""
+    end = start + size
+    while end < len(data):
+        cut = data.rfind(b"\n", start, end) + 1
+        if not cut:
+            cut = max(data.rfind(space, start, end) for space in (b" ", b"\t", b"\r")) + 1
+        if cut > start:
+            return cut
+        end = end + size
+    return len(data)
+
+
+def token_starts(piece: bytes) -> NDArray[np.intp]:
+    """Offsets at which words begin."""
+    solid = np.frombuffer(piece, dtype=np.uint8) > 32
+    begins = solid.copy()
+    begins[1:] &= ~solid[:-1]
+    return np.flatnonzero(begins)
+
+
+def word_span(piece: bytes, count: int) -> tuple[int, int] | None:
+    """Where the word number `count` (from 1) begins and ends."""
+    starts = token_starts(piece)
+    match = WORD.match(piece, int(starts[count - 1])) if len(starts) >= count else None
+    return match.span() if match else None
+
+
+def is_number(word: bytes, dtype: DTypeLike) -> bool:
+    """Whether all of the word is one number."""
+    if dtype == np.float64:
+        return bool(NUMBER.fullmatch(FORTRAN_EXPONENT.sub(b"e", word)))
+    return bool(INTEGER.fullmatch(word))
+
+
+def shown(word: bytes | str) -> str:
+    """A word of the file as an error message shows it: short, printable, in quotes."""
+    if not word:
+        return "the end of the file"
+    text = word[:40] if isinstance(word, str) else word[:40].decode("utf-8", "replace")
+    text = "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in text)
+    return f"‘{text}{'...' if len(word) > 40 else ''}’"
