@@ -1,4 +1,5 @@
 import { cameraOnCell } from "../state/camera.js";
+import { qualitySource } from "../panels/quality_source.js";
 import { dig, isolate, undig } from "../state/picking.js";
 
 /** What can be done to single cells: inspect, fly to, pick, show those of a finding. */
@@ -25,6 +26,23 @@ export class Cells {
     } catch (error) {
       if (asked === this.#asked) messages.error(error, { topic: "inspect" });
     }
+  }
+
+  /** Tell the value of the cell under the pointer, in the metric or attribute looked at. @param {number} cell */
+  async tell(cell) {
+    const { client, facts } = this.#app;
+    const { id, name, symbol } = qualitySource(this.#app);
+    const found = await client.call("inspect", [cell], { replace: "hover" }).catch(() => null);
+    if (!found || facts.get("hover")?.cell !== cell) return;
+    const value = found.metrics[id] ?? found.attributes[name];
+    facts.set({
+      hover: {
+        cell,
+        kind: found.kind,
+        name: symbol || name,
+        value: typeof value === "number" ? value : null,
+      },
+    });
   }
 
   /** Bring a cell before the camera, and inspect it. @param {number} cell */

@@ -1,3 +1,6 @@
+/** Milliseconds after which a pointer that does not move is taken to rest. */
+const REST = 120;
+
 /**
  * What the pointer does on the picture: turn (a click inspects), dig, undig, isolate; ctrl held digs, shift held
  * undigs. The face a click would act on is highlighted before.
@@ -9,6 +12,10 @@ export class Tools {
   /** @type {{ x: number, y: number } | null} */
   #place = null;
   #looking = false;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #rest;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #telling;
 
   /** @param {import("../app.js").App} app @param {HTMLCanvasElement} canvas */
   constructor(app, canvas) {
@@ -61,25 +68,34 @@ export class Tools {
     this.#look();
   }
 
-  /** Look up the face under the pointer, one look at a time. */
+  /** Look up the face under the pointer: at once where a click would act on it, else when the pointer rests. */
   #look() {
-    if (this.#looking) return;
-    this.#looking = true;
-    requestAnimationFrame(async () => {
-      this.#looking = false;
-      const { scene, facts } = this.#app;
-      const place = this.#place;
-      const hit = place && facts.get("shown") ? await scene.pick(place.x, place.y) : null;
-      if (place !== this.#place) return;
-      scene.highlight(hit && this.tool !== "turn" ? hit.face : null);
-      this.#tell(hit);
-    });
+    clearTimeout(this.#rest);
+    if (!this.#place) return this.#found(null);
+    if (this.tool === "turn") this.#rest = setTimeout(() => this.#pick(), REST);
+    else if (!this.#looking) {
+      this.#looking = true;
+      requestAnimationFrame(() => {
+        this.#looking = false;
+        this.#pick();
+      });
+    }
   }
 
-  /** @param {{ cell: number } | null} hit */
-  #tell(hit) {
-    const { facts } = this.#app;
-    if (hit?.cell === facts.get("hover")?.cell) return;
-    facts.set({ hover: hit ? { cell: hit.cell } : null });
+  async #pick() {
+    const { scene, facts } = this.#app;
+    const place = this.#place;
+    const hit = place && facts.get("shown") ? await scene.pick(place.x, place.y) : null;
+    if (place === this.#place) this.#found(hit);
+  }
+
+  /** @param {{ cell: number, face: number } | null} hit */
+  #found(hit) {
+    const { scene, facts, cells } = this.#app;
+    scene.highlight(hit && this.tool !== "turn" ? hit.face : null);
+    clearTimeout(this.#telling);
+    if (hit?.cell !== facts.get("hover")?.cell) facts.set({ hover: hit ? { cell: hit.cell } : null });
+    if (hit && facts.get("hover").value === undefined)
+      this.#telling = setTimeout(() => cells.tell(hit.cell), REST);
   }
 }

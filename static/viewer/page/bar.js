@@ -23,7 +23,13 @@ function title(context) {
   const source = h("span", { class: "bar-source quiet" });
   const body = h("div", { class: "popover-body", id: "citation", popover: "auto" });
   const cite = h("button", { type: "button", class: "link", popovertarget: body.id, hidden: true }, "cite");
-  const element = h("h1", { class: "bar-title" }, name, source);
+  const element = h(
+    "h1",
+    { class: "bar-title" },
+    h("span", { class: "visually-hidden" }, "Viewer "),
+    name,
+    source,
+  );
   watch(context, { facts: ["summary", "entry"] }, () => {
     const { summary, entry } = { summary: context.facts.get("summary"), entry: context.facts.get("entry") };
     name.textContent = entry?.mesh.name ?? summary?.name ?? "";

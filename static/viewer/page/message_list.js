@@ -8,7 +8,7 @@ import { icon } from "../widgets/icons.js";
  * @param {import("../widgets/bind.js").Context} context
  */
 export function messageList(context) {
-  const list = h("ul", { class: "messages", role: "log", "aria-live": "polite", "aria-label": "Messages" });
+  const list = h("div", { class: "messages", role: "log", "aria-live": "polite", "aria-label": "Messages" });
   /** @type {Map<number, HTMLElement>} */
   const shown = new Map();
   watch(context, { facts: ["messages"] }, () => {
@@ -67,5 +67,5 @@ function line({ app }, message) {
     h("span", { class: "visually-hidden" }, `${severity}: `),
     text,
   );
-  return h("li", { class: `message message-${severity}` }, words, act, copy, close);
+  return h("div", { class: `message message-${severity}` }, words, act, copy, close);
 }

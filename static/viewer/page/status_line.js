@@ -34,6 +34,6 @@ function hoverInWords({ facts }) {
   const hover = facts.get("hover");
   const tool = TOOL_WORDS[facts.get("tool")] ?? "";
   if (!hover) return tool;
-  const value = hover.value === undefined ? "" : `, ${decimal(hover.value)}`;
+  const value = typeof hover.value === "number" ? `, ${hover.name} ${decimal(hover.value)}` : "";
   return [`cell ${hover.cell}${value}`, tool].filter(Boolean).join(" · ");
 }

@@ -59,6 +59,9 @@ function folding(context, head, rows) {
     },
     label.textContent,
   );
+  head
+    .querySelector(`#${CSS.escape(label.getAttribute("for") ?? "")}`)
+    ?.setAttribute("aria-label", label.textContent ?? "");
   label.replaceWith(button);
   return h("div", { class: "folding" }, head, rest);
 }
