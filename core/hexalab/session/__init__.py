@@ -18,7 +18,7 @@ from ..diagnosis import turn_round
 from ..errors import HexaLabError
 from ..formats import FORMATS, read_bytes
 from ..packing import jsonable, pack
-from . import inspection, measuring, sources, warming
+from . import inspection, measuring, sources
 from .buffers import Buffers, source_of
 from .opened import DESCRIBED, Opened
 
@@ -60,19 +60,6 @@ class Session:
     def schema(self) -> Result:
         """Return the JSON Schema of the status and its defaults."""
         return {"schema": documents.SCHEMA, "defaults": documents.DEFAULTS}
-
-    def warm_up(self) -> float:
-        """Run the steps of a first mesh on a small one, apart from the open mesh; returns the milliseconds.
-
-        In a browser each of the first five or so makes the next mesh come sooner; they are for idle time.
-        """
-        began = perf_counter()
-        other = Session()
-        other.open("grid.mesh", warming.medit_grid())
-        slant = {"normal": [1, 0.2, 0], "offset": 0.5}
-        for partial in ({}, {"filters": {"planes": {"items": [slant]}}}, {"colour": {"by": "quality"}}):
-            other.update(partial)
-        return 1000 * (perf_counter() - began)
 
     # -- the mesh
 

@@ -11,12 +11,11 @@ import numpy as np
 import pytest
 
 from hexalab.errors import HexaLabError, MeshReadError
-from hexalab.formats import read_bytes, write_bytes
+from hexalab.formats import write_bytes
 from hexalab.mesh import Mesh
 from hexalab.packing import unpack
 from hexalab.quality import METRICS, quality_many
 from hexalab.session import DESCRIBED, Session
-from hexalab.session.warming import medit_grid
 from hexalab.status import DEFAULTS
 
 ROOT = Path(__file__).parents[3]
@@ -484,16 +483,6 @@ def test_A1_formats_and_schema() -> None:
     for call in (session.update, session.describe, session.validity):
         with pytest.raises(HexaLabError, match="no mesh is open"):
             call()
-
-
-def test_P5_warming_up_leaves_the_session_alone(session: Session) -> None:
-    before = json.dumps(session.status)
-    assert session.warm_up() > 0
-    assert json.dumps(session.status) == before
-    assert session.update()["shown_cells"] == 6
-    mesh = read_bytes(medit_grid(3), "warm.mesh")
-    assert (mesh.cell_count, mesh.vertex_count) == (27, 64)
-    assert quality_many(mesh, ["jacobian"])["jacobian"].min() > 0
 
 
 def test_P7_values_are_kept_within_bounds(block: Session, monkeypatch: pytest.MonkeyPatch) -> None:
