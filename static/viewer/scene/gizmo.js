@@ -17,14 +17,14 @@ const POINT = new Vector3();
  * The directions of x, y and z in a corner of the drawing.
  */
 export class Gizmo {
-  #scene = new Scene();
+  scene = new Scene();
   #camera = new OrthographicCamera(-1.45, 1.45, 1.45, -1.45, -2, 2);
   #lines = new LinesLayer(AXES.map((colour) => ({ colour, ink: 1 })));
 
   constructor() {
     this.#lines.width = 1.75;
-    this.#scene.add(this.#lines.mesh);
-    this.#scene.matrixWorldAutoUpdate = false;
+    this.scene.add(this.#lines.mesh);
+    this.scene.matrixWorldAutoUpdate = false;
     this.#lines.mesh.visible = true;
   }
 
@@ -42,7 +42,7 @@ export class Gizmo {
     this.#lines.view({ width: side, height: side, pixelRatio, pixel: 0 });
     renderer.setViewport(width - side, 0, side, side);
     renderer.clearDepth();
-    renderer.render(this.#scene, this.#camera);
+    renderer.render(this.scene, this.#camera);
   }
 
   dispose() {

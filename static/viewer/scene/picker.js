@@ -41,7 +41,7 @@ void main() { pixel = row; }
  */
 export class Picker {
   #renderer;
-  #scene = new Scene();
+  scene = new Scene();
   #mesh;
   #material;
   #target = new WebGLRenderTarget(1, 1, {
@@ -65,11 +65,12 @@ export class Picker {
       vertexShader: VERTEX,
       fragmentShader: FRAGMENT,
       side: DoubleSide,
+      uniforms: {},
     });
     this.#mesh = new Mesh(new BufferGeometry(), this.#material);
     this.#mesh.frustumCulled = false;
-    this.#scene.add(this.#mesh);
-    this.#scene.matrixWorldAutoUpdate = false;
+    this.scene.add(this.#mesh);
+    this.scene.matrixWorldAutoUpdate = false;
   }
 
   /** @param {import("./types.js").Surface | null} surface */
@@ -110,7 +111,7 @@ export class Picker {
     renderer.state.buffers.depth.setMask(true);
     gl.clearBufferuiv(gl.COLOR, 0, [0, 0, 0, 0]);
     gl.clear(gl.DEPTH_BUFFER_BIT);
-    renderer.render(this.#scene, camera);
+    renderer.render(this.scene, camera);
     camera.clearViewOffset();
     gl.readPixels(0, 0, 1, 1, gl.RED_INTEGER, gl.UNSIGNED_INT, this.#answer);
     renderer.setRenderTarget(null);

@@ -12,6 +12,7 @@ import { Painter } from "./painter.js";
 import { Picker } from "./picker.js";
 import { planeExtent } from "./plane_extent.js";
 import { PlaneLayer } from "./plane_layer.js";
+import { release } from "./release.js";
 import { takePicture } from "./screenshot.js";
 import { SilhouetteLayer } from "./silhouette_layer.js";
 import { SurfaceLayer } from "./surface_layer.js";
@@ -349,6 +350,8 @@ export class Scene {
     event.preventDefault();
     this.#loop.stopped = true;
     this.#lighting.forget();
+    const { backdrop, model, ink, overlay } = this.#painter;
+    for (const root of [backdrop, model, ink, overlay, this.#gizmo.scene, this.#picker.scene]) release(root);
     this.#events.emit("contextlost");
   }
 
