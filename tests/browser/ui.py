@@ -14,13 +14,14 @@ import hexalab
 
 
 @contextmanager
-def one_viewer(chromium: Browser, site: str, **context: Any) -> Iterator[Page]:
+def one_viewer(chromium: Browser, site: str, script: str = "", **context: Any) -> Iterator[Page]:
     """The viewer with Python ready, for several tests; at the end the console must be clean."""
     opened = chromium.new_context(viewport={"width": 1280, "height": 800}, reduced_motion="reduce", **context)
     page = opened.new_page()
     errors: list[str] = []
     page.on("console", lambda message: errors.append(message.text) if message.type == "error" else None)
     page.on("pageerror", lambda error: errors.append(str(error)))
+    page.add_init_script(script)
     page.goto(f"{site}/viewer/")
     page.evaluate("() => window.hexalab.ready")
     yield page

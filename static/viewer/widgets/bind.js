@@ -97,6 +97,11 @@ export function writeValue(control, value, context, undo) {
   return partial ? context.store.set(partial, options) : [];
 }
 
+/** @param {Control} control */
+export function canReset(control) {
+  return Boolean(control.path && !control.write) || control.box?.initial !== undefined;
+}
+
 /** Put a control's value back to the default. @param {Control} control @param {Context} context */
 export function reset(control, context) {
   if (control.path && !control.write)

@@ -1,4 +1,4 @@
-import { dependencies, reset, watch } from "./bind.js";
+import { canReset, dependencies, reset, watch } from "./bind.js";
 import { freshId, h, setAttribute, setText } from "./dom.js";
 
 /** @typedef {import("./bind.js").Context} Context @typedef {import("./bind.js").Control} Control */
@@ -32,7 +32,9 @@ export function row(context, control, { body, target, update, className = "" }) 
     element.classList.toggle("idle", reason !== "");
     setText(why, reason);
     setAttribute(target, "aria-describedby", reason ? why.id : null);
-    label.title = [control.hint, reason, "Double-click: reset"].filter(Boolean).join("\n");
+    label.title = [control.hint, reason, canReset(control) && "Double-click: reset"]
+      .filter(Boolean)
+      .join("\n");
     update?.();
   });
   return element;
