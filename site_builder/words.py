@@ -93,7 +93,9 @@ def structure_line(facts: Facts) -> str:
 
 def _valences(valence: dict[int, int]) -> str:
     parts = [f"{count(n)} of valence {v}" for v, n in sorted(valence.items()) if v != 4]
-    return parts[0] if len(parts) == 1 else ", ".join(parts[:-1]) + " and " + parts[-1]
+    if len(parts) == 1:
+        return f"all {parts[0].split(' ', 1)[1]}"
+    return ", ".join(parts[:-1]) + " and " + parts[-1]
 
 
 def verdict(facts: Facts) -> tuple[str, str]:
