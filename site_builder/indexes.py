@@ -128,6 +128,7 @@ def search_json(catalogue: Catalogue, pictures: set[str]) -> str:
                     mesh.facts.irregular_edges,
                     1 if mesh.picture_address in pictures else 0,
                     codes(mesh),
+                    mesh.description,
                 ]
                 for mesh in catalogue.meshes
             ],

@@ -106,6 +106,8 @@ def read_source(folder: Path, problems: list[Problem], root: Path | None = None)
         message = f"{key!r} is no url of a mesh in source.yaml"
         problems.append(Problem("error", _shown(folder / FACTS_FILE, root), 0, "meshes", message))
     _check_slugs(source, document, problems, root)
+    for path, message in _doubts(source):
+        problems.append(_problem("warning", document, path, message, root))
     return source
 
 
@@ -257,6 +259,18 @@ def _mesh_problems(mesh: MeshEntry, index: int) -> Iterator[tuple[FieldPath, str
             here,
             f"{size:,} bytes, but at most {LARGEST_FILE:,} may lie in the repository; compress it with gzip",
         )
+
+
+def _doubts(source: Source) -> Iterator[tuple[FieldPath, str]]:
+    """What isn't wrong but should be better."""
+    if source.reference["type"] == "article-journal" and not source.doi and not source.arxiv:
+        yield ("reference",), "neither a DOI nor an arXiv id: readers can't get at the paper"
+    if source.index_path:
+        return  # of the original's index, which knows no more than addresses
+    for index, mesh in enumerate(source.meshes):
+        missing = [name for name, value in (("sha256", mesh.sha256), ("cells", mesh.cells)) if not value]
+        if mesh.kind == "url" and missing:
+            yield ("meshes", index, "url"), f"a remote file should be given with its {' and '.join(missing)}"
 
 
 def _published_facts(folder: Path, problems: list[Problem], root: Path) -> dict[str, Facts]:

@@ -100,7 +100,6 @@ def _measure_all(
 ) -> None:
     for mesh in meshes:
         if mesh.kind == "url":
-            report.problems += _remote_warnings(mesh)
             continue
         try:
             if mesh.kind == "made":
@@ -113,15 +112,6 @@ def _measure_all(
             continue
         report.problems += disagreements(mesh)
         report.meshes.append(mesh)
-
-
-def _remote_warnings(mesh: MeshEntry) -> list[Problem]:
-    """A remote file should say what it is, so that a reader can tell whether it still is that."""
-    if (mesh.sha256 and mesh.cells) or mesh.source.index_path:
-        return []
-    missing = [name for name, value in (("sha256", mesh.sha256), ("cells", mesh.cells)) if not value]
-    problem = problem_of(mesh, f"a remote file should be given with its {' and '.join(missing)}")
-    return [Problem("warning", problem.file, problem.line, problem.field, problem.message)]
 
 
 def _folder_problems(folder: Path, listed: list[str], root: Path) -> list[Problem]:

@@ -45,9 +45,9 @@ export function readIndex(data) {
     return { slug, title, authors, year, venue, doi, short };
   });
   const rows = data.meshes.map((/** @type {any[]} */ row) => {
-    const [number, slug, name, cells, low, mean, high, irregular, picture, codes] = row;
+    const [number, slug, name, cells, low, mean, high, irregular, picture, codes, description = ""] = row;
     const source = sources[number];
-    const words = [name, source.title, source.authors, source.year, source.venue, source.doi];
+    const words = [name, description, source.title, source.authors, source.year, source.venue, source.doi];
     return {
       source, slug, name, cells, low, mean, high, irregular, codes,
       picture: picture === 1,

@@ -103,3 +103,16 @@ def test_C7_the_summary_has_times_and_sizes(rebuild):
     assert report.meshes == 5
     assert "9 pages, 2 sources, 5 meshes (3 measured)" in report.summary
     assert "meshes/" in report.summary
+
+
+def test_C7_a_strict_build_stops_at_a_warning(demo, tmp_path, edit):
+    def change(data):
+        del data["reference"]["DOI"]
+
+    edit(demo / "far" / "source.yaml", change)
+    report = build(demo, tmp_path / "site", runtime=False)
+    assert [str(warning) for warning in report.warnings] == [
+        "far/source.yaml:1: reference: neither a DOI nor an arXiv id: readers can't get at the paper"
+    ]
+    with pytest.raises(BuildError, match="neither a DOI"):
+        build(demo, tmp_path / "site", strict=True, runtime=False)

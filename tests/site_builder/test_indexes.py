@@ -72,7 +72,7 @@ def test_C2_the_search_index_is_small_and_complete(site):
     assert len(index["meshes"]) == 5
     assert [facet["id"] for facet in index["facets"]] == [facet.id for facet in FACETS]
     for row in index["meshes"]:
-        assert len(row) == 10
+        assert len(row) == 11
         assert len(row[9]) == len(FACETS)
         for code, facet in zip(row[9], index["facets"], strict=True):
             assert int(code) < len(facet["options"])

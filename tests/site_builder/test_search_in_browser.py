@@ -1,4 +1,4 @@
-"""The catalogue's pages in a real Chromium: search, filters, sorting, copying; nothing moves, nothing is out of reach."""
+"""The catalogue's pages in a real Chromium: search, sorting, copying; nothing moves, nothing is out of reach."""
 
 import threading
 from pathlib import Path

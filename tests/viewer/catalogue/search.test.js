@@ -16,7 +16,7 @@ const INDEX = readIndex({
   ],
   meshes: [
     [0, "cube", "Cube", 512, 1, 1, 1, 0, 1, "00"],
-    [0, "bar", "Bar", 4000, 0.5, 0.9, 1, 12, 0, "01"],
+    [0, "bar", "Bar", 4000, 0.5, 0.9, 1, 12, 0, "01", "A beam to be bent."],
     [1, "bunny", "Bunny", null, null, null, null, null, 0, "12"],
     [1, "ball", "Ball 10", 99, -0.2, 0.5, 1, 3, 0, "10"],
   ],
@@ -34,6 +34,7 @@ test("C2 words are found in names, titles, authors, years and DOIs, without acce
   assert.deepEqual(names({ words: "NUNEZ bar" }), ["Bar"]);
   assert.deepEqual(names({ words: "10.5555" }), ["Cube", "Bar"]);
   assert.deepEqual(names({ words: "2023 bun" }), ["Bunny"]);
+  assert.deepEqual(names({ words: "beam" }), ["Bar"]);
   assert.deepEqual(names({ words: "nowhere" }), []);
   assert.equal(plain("Núñez ℓ"), "nunez l");
 });
