@@ -6,7 +6,7 @@ import numpy as np
 
 from ..mesh import Array
 
-ROWS = 4096
+ROWS = 8192
 """Rows that are converted at a time: few enough that reading them column by column stays in cache."""
 
 
@@ -27,7 +27,7 @@ def as_coordinates(rows: Array) -> Array:
     """(3, n) float64 from (n, 3) rows of x, y, z in any number type, byte order and alignment."""
     out = np.empty((3, len(rows)))
     with np.errstate(invalid="ignore"):
-        for start in range(0, len(rows), 2 * ROWS):
-            part = slice(start, start + 2 * ROWS)
+        for start in range(0, len(rows), ROWS):
+            part = slice(start, start + ROWS)
             out[:, part] = native(rows[part]).T
     return out

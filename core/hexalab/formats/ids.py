@@ -14,9 +14,13 @@ def within_int32(values: Array) -> Array:
     """The integers, those that do not fit int32 moved to its ends, so that a range check finds them."""
     if values.dtype.itemsize <= 4 and values.dtype.kind == "i":
         return values
-    if len(values) and (int(values.max()) > LARGEST_ID or int(values.min()) < -LARGEST_ID):
-        return np.clip(values, -LARGEST_ID, LARGEST_ID)
-    return values
+    if not values.size:
+        return values
+    if values.dtype == np.int64 and values.dtype.isnative and values.strides[-1] == 8:
+        good = values.view(np.uint64).max() <= LARGEST_ID  # one pass finds the negative ones too
+    else:
+        good = int(values.max()) <= LARGEST_ID and int(values.min()) >= -LARGEST_ID
+    return values if good else np.clip(values, -LARGEST_ID, LARGEST_ID)
 
 
 def whole_tags(values: Array) -> NDArray[np.int64] | None:

@@ -160,15 +160,14 @@ def gathered(rows: Rows, which: Array, order: tuple[int, ...]) -> Ids:
     count = len(which)
     out = np.empty((len(order), count), dtype=np.int32)
     step = int(rows.starts[1] - rows.starts[0]) if rows.uniform and count > 1 else 0
-    whole = step > 0 and count == len(rows.starts)
+    whole = step - rows.uniform in (0, 1) and count == len(rows.starts) and step > 0
     for start in range(0, count, ROWS):
         part = slice(start, min(start + ROWS, count))
         if whole:
-            first = int(rows.starts[part.start])
-            length = part.stop - part.start
-            stretch = native(rows.ids[first : first + step * (length - 1) + rows.uniform])
-            strides = (step * stretch.itemsize, stretch.itemsize)
-            table = np.lib.stride_tricks.as_strided(stretch, (length, rows.uniform), strides)
+            before = step - rows.uniform
+            first = int(rows.starts[part.start]) - before
+            stretch = native(rows.ids[first : first + step * (part.stop - part.start)])
+            table = stretch.reshape(-1, step)[:, before:]
             table = within_int32(table)
             out[:, part] = table.T if list(order) == list(range(rows.uniform)) else table.T[list(order)]
         else:
