@@ -241,10 +241,10 @@ class HexahedronBlock(Arena):
             rows: Floats = getattr(self, name).reshape(3, 2, 2, self.count)
             for step, flip in enumerate(flips):
                 mixed: Floats = self.array(f"gauss_{name}{step}", 3, 4).reshape(3, 2, 2, self.count)
-                scratch = self.array("product", 3, 4).reshape(3, 2, 2, self.count)
+                other = self.array("product", 3, 4).reshape(3, 2, 2, self.count)
                 np.multiply(rows, near, out=mixed)
-                np.multiply(rows[(slice(None), *flip)], far, out=scratch)
-                mixed += scratch
+                np.multiply(rows[(slice(None), *flip)], far, out=other)
+                mixed += other
                 rows = mixed
             edges.append(rows.reshape(3, 4, self.count))
         u, v, w = edges

@@ -26,9 +26,9 @@ PAIRS = sorted({pair for corner in TRIPLES for pair in ((a, b) for a in corner f
 def nodal_jacobian_ratio(block: HexahedronBlock, out: Floats) -> None:
     """Smallest over largest determinant of the corners; -inf where the largest is not above 2.2e-15 (with a unit!).
 
-    VTK 9.6 expands each determinant along z, with minors of the raw x and y, which loses digits far from the origin:
-    we do as it does, to agree with it. It starts at 1e30 when it looks for the smallest, so that cells whose
-    determinants are all larger get 1e30 / largest: a cube of edge 1e12 gets 1e-6.
+    VTK 9.6 expands each determinant along z, with minors of the raw x and y, which loses digits far from the
+    origin: we add in its order, to agree with it to the last bit. It starts at 1e30 when it looks for the smallest,
+    so that cells whose determinants are all larger get 1e30 / largest: a cube of edge 1e12 gets 1e-6.
     """
     areas, scratch = block.array("areas", len(PAIRS)), block.array("scratch_1")
     for area, (a, b) in zip(areas, PAIRS, strict=True):
@@ -59,7 +59,9 @@ def _determinant(
         a, b, c = (other for other in corner if other != node)
         odd = corner.index(node) % 2 == 0
         loop = ((a, c), (c, b), (b, a)) if odd else ((a, b), (b, c), (c, a))
-        for step, (i, j) in enumerate(loop):
+        lowest = min(a, b, c)
+        in_order = sorted(loop, key=lambda pair: lowest not in pair)
+        for step, (i, j) in enumerate(in_order):
             row = areas[PAIRS.index((min(i, j), max(i, j)))]
             if step == 0:
                 np.multiply(row, 1 if i < j else -1, out=minor)

@@ -62,13 +62,13 @@ def _of_hexahedra(total: Floats, volumes: Floats) -> Floats:
 
 
 def _of_tetrahedra(total: Floats) -> Floats:
-    """Relative size squared from six times the volume; 0 where D or 1/D is not above 2.2e-15.
+    """Relative size squared from six times the volume; 0 where D, or the mean volume (with a unit!), is below 2.2e-15.
 
-    A mean volume that is not positive makes Verdict take the root of a negative number: -inf for every cell then.
+    A negative mean volume makes Verdict take the root of a negative number: -inf for every cell then.
     """
     mean = float(total.mean()) / 6
-    if not mean > 0:
-        return np.full(total.shape, -inf)
+    if not mean > TOLERANCE:
+        return np.full(total.shape, -inf if mean < 0 else 0.0)
     ratio = total / (6 * mean)
     out = _squared_ratio(ratio)
     out[~(ratio > TOLERANCE)] = 0

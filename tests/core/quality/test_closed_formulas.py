@@ -1,0 +1,96 @@
+"""Metrics of cells whose values follow on paper."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from numpy.testing import assert_allclose
+
+from hexalab.quality import METRICS, quality, quality_many
+from tests.core.quality.verdict import CUBE, mesh_of
+
+
+def value(corners: np.ndarray, metric: str) -> float:
+    return float(quality(mesh_of(np.asarray(corners, dtype=float)[None]), metric)[0])
+
+
+@pytest.mark.parametrize("metric", [m.id for m in METRICS.values() if m.unit_cube is not None])
+def test_Q2_unit_cube_has_the_value_of_the_table(metric: str) -> None:
+    assert value(CUBE, metric) == pytest.approx(METRICS[metric].unit_cube, abs=1e-12)
+
+
+def test_Q1_box() -> None:
+    a, b, c = 1.0, 2.0, 5.0
+    box = CUBE * [a, b, c]
+    assert value(box, "volume") == pytest.approx(a * b * c)
+    assert value(box, "jacobian") == pytest.approx(a * b * c)
+    assert value(box, "max_edge_ratio") == pytest.approx(c / a)
+    assert value(box, "stretch") == pytest.approx(np.sqrt(3) * a / np.sqrt(a * a + b * b + c * c))
+    assert value(box, "shape") == pytest.approx(3 * (a * b * c) ** (2 / 3) / (a * a + b * b + c * c))
+    norm = (a**2 + b**2 + c**2) * ((b * c) ** 2 + (a * c) ** 2 + (a * b) ** 2)
+    assert value(box, "max_aspect_frobenius") == pytest.approx(np.sqrt(norm) / (3 * a * b * c))
+    squares = a**4 + b**4 + c**4 - (a * a + b * b + c * c) ** 2 / 3
+    assert value(box, "oddy") == pytest.approx(squares / (a * b * c) ** (4 / 3))
+    gradients = 8 * ((b * c / 4) ** 2 + (a * c / 4) ** 2 + (a * b / 4) ** 2)
+    assert value(box, "dimension") == pytest.approx(a * b * c / np.sqrt(2 * gradients))
+    for metric in ("scaled_jacobian", "shear", "diagonal", "distortion", "nodal_jacobian_ratio"):
+        assert value(box, metric) == pytest.approx(1)
+
+
+@pytest.mark.parametrize("slant", [0.25, 1.0, 3.0])
+def test_Q1_sheared_cube(slant: float) -> None:
+    sheared = CUBE + CUBE[:, 2:] * [slant, 0, 0]
+    length = np.sqrt(1 + slant * slant)
+    angle = np.degrees(np.arctan(slant))
+    assert value(sheared, "volume") == pytest.approx(1)
+    assert value(sheared, "scaled_jacobian") == pytest.approx(1 / length)
+    assert value(sheared, "skew") == pytest.approx(slant / length)
+    assert value(sheared, "taper") == pytest.approx(0, abs=1e-12)
+    assert value(sheared, "equiangle_skew") == pytest.approx(angle / 90)
+    assert value(sheared, "shape") == pytest.approx(3 / (2 + length**2))
+
+
+def test_Q1_frustum() -> None:
+    top = 0.5
+    frustum = CUBE - [0.5, 0.5, 0]
+    frustum[4:, :2] *= top
+    assert value(frustum, "volume") == pytest.approx((1 + top + top * top) / 3)
+    assert value(frustum, "nodal_jacobian_ratio") == pytest.approx(top * top)
+    assert value(frustum, "jacobian") == pytest.approx(top * top)
+    assert value(frustum, "taper") == pytest.approx((2 - 2 * top) / (2 + 2 * top))
+
+
+def test_Q1_edge_ratio_misses_the_edges_that_verdict_misses() -> None:
+    seen, unseen = CUBE.copy(), CUBE.copy()
+    seen[[1, 2, 5, 6], 0] = 4
+    unseen[4:, 2] = 4
+    assert value(seen, "edge_ratio") == pytest.approx(4)
+    assert value(unseen, "edge_ratio") == pytest.approx(1)
+
+
+@settings(max_examples=50, deadline=None)
+@given(seed=st.integers(0, 2**32), scale=st.floats(1e-3, 1e3))
+def test_Q1_shape_does_not_depend_on_place_size_or_turn(seed: int, scale: float) -> None:
+    random = np.random.default_rng(seed)
+    cell = CUBE + random.uniform(-0.25, 0.25, (8, 3))
+    turn = np.linalg.qr(random.normal(size=(3, 3)))[0]
+    turn *= np.sign(np.linalg.det(turn))
+    moved = scale * (cell @ turn + random.uniform(-2, 2, 3))
+    before, after = (quality_many(mesh_of(c[None])) for c in (cell, moved))
+    for metric in METRICS.values():
+        if "size" not in metric.id:
+            assert_allclose(after[metric.id], before[metric.id] * scale**metric.unit, rtol=1e-7, atol=1e-9)
+
+
+@settings(max_examples=50, deadline=None)
+@given(seed=st.integers(0, 2**32))
+def test_Q1_numbering_of_the_corners_does_not_matter(seed: int) -> None:
+    """Turned numberings leave every metric as it is, but for edge ratio, whose bug is tied to the numbering."""
+    cell = CUBE + np.random.default_rng(seed).uniform(-0.25, 0.25, (8, 3))
+    turned = cell[[1, 2, 3, 0, 5, 6, 7, 4]]
+    before, after = (quality_many(mesh_of(c[None])) for c in (cell, turned))
+    for metric in METRICS:
+        if metric != "edge_ratio":
+            assert_allclose(after[metric], before[metric], rtol=1e-10, atol=1e-12)
