@@ -124,7 +124,11 @@ export class App {
         `One mesh is shown at a time: ${meshes[0].name} was opened, ${meshes.length - 1} more left out`,
         { topic: "drop" },
       );
-    if (meshes.length) return this.opening.open({ ...fromFile(meshes[0]), status });
+    if (meshes.length) {
+      const summary = await this.opening.open({ ...fromFile(meshes[0]), status });
+      nameInAddress(null);
+      return summary;
+    }
     if (status) await this.#applied(status);
     return null;
   }
@@ -151,8 +155,10 @@ export class App {
   }
 
   /** @param {string} address @param {any} [status] */
-  openUrl(address, status) {
-    return this.opening.open({ ...fromUrl(address), status });
+  async openUrl(address, status) {
+    const summary = await this.opening.open({ ...fromUrl(address), status });
+    nameInAddress(new URL(address, location.href).href);
+    return summary;
   }
 
   /** Choose a source of the catalogue, whose meshes are then offered. @param {string} slug */
@@ -173,13 +179,9 @@ export class App {
       throw error;
     }
     const { url } = entry.mesh;
-    return this.opening.open({ ...fromUrl(url), entry, status }).then((summary) => {
-      const address = new URL(location.href);
-      address.search = `?mesh=${source}/${mesh}`;
-      address.hash = "";
-      history.replaceState(null, "", address);
-      return summary;
-    });
+    const summary = await this.opening.open({ ...fromUrl(url), entry, status });
+    nameInAddress(`${source}/${mesh}`);
+    return summary;
   }
 
   /** Open the mesh before or after this one in its source. @param {number} step */
@@ -220,4 +222,13 @@ function kindOf(file) {
   if (/\.(json|txt)$/i.test(file.name)) return "status";
   if (/\.png$/i.test(file.name)) return "picture";
   return "mesh";
+}
+
+/** Let the page's address name the open mesh, so that a link to it is right. @param {string | null} mesh null for a local file */
+function nameInAddress(mesh) {
+  const address = new URL(location.href);
+  if (new URLSearchParams(address.search).get("mesh") === mesh) return;
+  address.search = mesh === null ? "" : `?mesh=${mesh.includes(":") ? encodeURIComponent(mesh) : mesh}`;
+  address.hash = "";
+  history.replaceState(null, "", address);
 }

@@ -160,10 +160,10 @@ def test_V6_a_drag_on_the_picture_turns_it_and_is_one_step_of_undo(mesh: Page) -
 
 
 def test_a_fold_is_remembered(mesh: Page) -> None:
-    mesh.evaluate("() => { document.getElementById('section-structure').open = true; }")
-    ui.until(
-        lambda: json.loads(mesh.evaluate("() => localStorage['hexalab.sections'] ?? '{}'")).get("structure")
-    )
+    before = mesh.evaluate("() => document.getElementById('section-structure').open")
+    mesh.locator("#section-structure > summary").click()
+    remembered = "() => JSON.parse(localStorage['hexalab.sections'] ?? '{}').structure"
+    ui.until(lambda: mesh.evaluate(remembered) is not before)
 
 
 def test_C4_the_catalogues_panel_opens_a_mesh_with_its_reference(page: Page, site: str) -> None:

@@ -75,7 +75,13 @@ class Opened:
         """Return one part of the mesh's description, a name of `DESCRIBED`."""
         if part == "findings":
             rows = [
-                {"id": found.id, "severity": found.severity, "message": found.message, "count": found.count}
+                {
+                    "id": found.id,
+                    "severity": found.severity,
+                    "message": found.message,
+                    "count": found.count,
+                    "has_cells": bool(len(found.cells) or len(found.vertices)),
+                }
                 for found in self.findings
             ]
             return {"findings": rows}

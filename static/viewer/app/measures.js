@@ -1,6 +1,9 @@
 import { Superseded } from "../core/client.js";
 import { qualitySource } from "../panels/quality_source.js";
 
+/** Parts of the description, the quick ones first. */
+const PARTS = ["faces", "edges", "layers", "vertices", "findings"];
+
 /**
  * Keeps statistics, histogram and the mesh's description up to date: each is asked for after the picture stands, and
  * again when what it is about changes.
@@ -18,22 +21,21 @@ export class Measures {
   /** Resolves when everything about the mesh that was opened last is known. @type {Promise<void>} */
   filled = Promise.resolve();
 
-  /** Everything about a mesh that was just opened. @returns {Promise<void>} */
-  fill() {
-    this.filled = this.#fill();
-    return this.filled;
-  }
-
-  async #fill() {
+  /** Everything about a mesh that was just opened, part by part, so that a slice need not wait for the whole. */
+  async fill() {
     const { facts, drawing, client } = this.#app;
     await this.#measure();
     const summary = facts.get("summary");
-    const description = await this.#ask("describe", [], "describe");
-    if (!description || facts.get("summary") !== summary) return;
-    const depths = description.cells_per_depth?.length;
-    facts.set({ description, ...(depths ? { layers: depths } : {}) });
-    this.#app.note({ describe: client.milliseconds?.describe });
-    await drawing.update({});
+    let topology = 0;
+    for (const part of PARTS) {
+      const found = await this.#ask("describe", [part], "describe");
+      if (!found || facts.get("summary") !== summary) return;
+      topology += client.milliseconds?.describe ?? 0;
+      facts.set({ description: { ...facts.get("description"), ...found } });
+      if (found.cells_per_depth) facts.set({ layers: found.cells_per_depth.length });
+      if (part === "edges") await drawing.update({});
+    }
+    this.#app.note({ topology });
   }
 
   /** Statistics and histogram of the metric or attribute that is looked at. */

@@ -7,14 +7,18 @@ import { watch } from "../widgets/bind.js";
 const SEVERITY_MARKS = { error: "✕", warning: "!", note: "i" };
 
 /**
- * What the diagnosis found (SPEC R9), a line for each, with a button that isolates the cells concerned.
+ * What the diagnosis found (SPEC R9), a line for each, with a button that isolates the cells concerned. Notes that
+ * concern no cells stand with the facts of the mesh.
  *
  * @param {Context} context
  */
 export function findings(context) {
   const list = h("ul", { class: "findings", "aria-label": "Findings of the diagnosis" });
   watch(context, { facts: ["description"] }, () => {
-    const all = context.facts.get("description")?.findings ?? [];
+    const found = context.facts.get("description")?.findings ?? [];
+    const all = found.filter(
+      (/** @type {any} */ { severity, has_cells }) => has_cells || severity !== "note",
+    );
     list.hidden = !all.length;
     list.replaceChildren(...all.map((/** @type {any} */ finding) => line(context, finding)));
   });
@@ -43,6 +47,6 @@ function line(context, finding) {
     {},
     mark,
     h("span", { class: "finding-text" }, finding.message),
-    finding.has_cells === false ? null : show,
+    finding.has_cells ? show : null,
   );
 }

@@ -20,8 +20,8 @@ function rowsOf(summary, description) {
     ...rows,
     ["Faces", count(description.faces)],
     ["Edges", count(description.edges)],
-    ["Irregular edges inside", count(irregular(description.interior_edge_valence, 4))],
-    ["Irregular on boundary", count(irregular(description.boundary_edge_valence, 2))],
+    ["Irregular edges inside", irregular(description.interior_edge_valence, 4)],
+    ["Irregular on boundary", irregular(description.boundary_edge_valence, 2)],
     ["Layers", count(description.cells_per_depth?.length)],
     ["Components", count(description.components)],
     ["Unreferenced vertices", count(description.unreferenced_vertices)],
@@ -29,12 +29,11 @@ function rowsOf(summary, description) {
   ];
 }
 
-/** @param {Record<string, number>} valences @param {number} regular */
+/** How many edges are not regular. @param {Record<string, number> | undefined} valences @param {number} regular */
 function irregular(valences, regular) {
-  return Object.entries(valences ?? {}).reduce(
-    (total, [valence, n]) => (Number(valence) === regular ? total : total + n),
-    0,
-  );
+  if (!valences) return count(null);
+  const others = Object.entries(valences).filter(([valence]) => Number(valence) !== regular);
+  return count(others.reduce((total, [, number]) => total + number, 0));
 }
 
 /**

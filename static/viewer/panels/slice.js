@@ -75,7 +75,6 @@ const addButton = {
 /** @type {Action} */
 const removeButton = {
   name: "Remove this plane",
-  text: "Remove",
   icon: "minus",
   disabled: (context) => planesOf(context).planes.length < 2,
   press: (context) => {
@@ -123,7 +122,7 @@ export const sliceControls = [
       {
         kind: "choice",
         id: "plane-index",
-        label: "Plane",
+        label: "At hand",
         ...WATCHED,
         options: (context) =>
           planesOf(context).planes.map((_, at) => ({ value: String(at), name: `Plane ${at + 1}` })),
@@ -148,11 +147,11 @@ export const sliceControls = [
       {
         kind: "choice",
         id: "plane-rule",
-        label: "Hides a cell",
+        label: "Rule",
         path: "filters.planes.rule",
         options: [
-          { value: "barycentre", name: "barycentre behind" },
-          { value: "any_corner", name: "any corner behind" },
+          { value: "barycentre", name: "hide by barycentre" },
+          { value: "any_corner", name: "hide by any corner" },
         ],
       },
     ],

@@ -21,7 +21,7 @@ function countsOf({ facts }) {
   const drawn = facts.get("irregular");
   if (drawn) return drawn;
   const description = facts.get("description");
-  if (!description) return null;
+  if (!description?.interior_edge_valence) return null;
   const without = (/** @type {Record<string, number>} */ valences, /** @type {string} */ regular) =>
     Object.fromEntries(Object.entries(valences ?? {}).filter(([valence]) => valence !== regular));
   return {
