@@ -18,6 +18,8 @@ from .measuring import Measurer
 from .model import Catalogue, MeshEntry, Problem
 from .output import Output
 from .pages import Pages
+from .pictures import Album, take_missing
+from .pictures.collection import Collection
 from .repository import read_repository
 from .thumbnails import Thumbnails
 from .words import file_size
@@ -45,31 +47,40 @@ class BuildReport:
 
     Parameters
     ----------
-    pages, sources, meshes, measured, changed : int
-        Numbers of pages, sources and meshes in the site; of meshes measured anew and files changed in this run.
+    pages, sources, meshes, measured, taken, changed : int
+        Numbers of pages, sources and meshes in the site; of meshes measured, pictures taken and files changed in this
+        run.
     seconds : float
     sizes : dict of str to int
         Bytes by the first part of the address.
     warnings : list of Problem
+    notes : list of str
+        What the site does without, a line each.
     """
 
     pages: int = 0
     sources: int = 0
     meshes: int = 0
     measured: int = 0
+    taken: int = 0
     changed: int = 0
     seconds: float = 0.0
     sizes: dict[str, int] = field(default_factory=dict)
     warnings: list[Problem] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
 
     @property
     def summary(self) -> str:
         """A few lines for the terminal."""
         largest = sorted(self.sizes.items(), key=lambda row: -row[1])
-        rows = "\n".join(f"  {file_size(size):>9}  {name}" for name, size in largest)
-        return (
-            f"{self.pages:,} pages, {self.sources} sources, {self.meshes:,} meshes ({self.measured} measured), "
-            f"{self.changed:,} files changed, {file_size(sum(self.sizes.values()))} in {self.seconds:.1f} s\n{rows}"
+        return "\n".join(
+            (
+                f"{self.pages:,} pages, {self.sources} sources, {self.meshes:,} meshes "
+                f"({self.measured} measured, {self.taken} pictures taken), {self.changed:,} files changed, "
+                f"{file_size(sum(self.sizes.values()))} in {self.seconds:.1f} s",
+                *(f"  {file_size(size):>9}  {name}" for name, size in largest),
+                *self.notes,
+            )
         )
 
 
@@ -116,19 +127,27 @@ def build(
     warnings = [problem for problem in catalogue.problems if problem.severity != "error"]
     if catalogue.errors or (strict and warnings):
         raise BuildError(catalogue.problems)
-    pictures = _add_pictures(catalogue, output, cache)
     extras = _add_static(output)
-    pages = Pages(catalogue, pictures, extras)
+    output.write("catalogue.json", indexes.catalogue_json(catalogue, previews))
+    thumbnails = Thumbnails(cache)
+    collection = Collection(catalogue)
+    album = Album(cache)
+    taken, trouble = 0, ""
+    if runtime:
+        tell("the viewer and its Python", 0.35)
+        _add_viewer(Pages(catalogue, set(), extras), output, extras)
+        shots = [*map(thumbnails.shot, thumbnails.wanted(catalogue)), *collection.figures.values()]
+        taken, trouble = take_missing(shots, out, album, lambda what, part: tell(what, 0.4 + 0.5 * part))
+    pictures = _add_pictures(catalogue, output, thumbnails)
+    figures = _add_figures(collection, output, album)
+    pages = Pages(catalogue, pictures, extras, collection, figures)
     addresses = []
     for number, (page, html) in enumerate(pages.all()):
         output.write(f"{page}index.html", html)
         addresses.append(page)
         if number % 50 == 0:
-            tell(f"page {page or 'index.html'}", 0.6 + 0.3 * number / (len(catalogue.meshes) + 40))
-    _add_indexes(catalogue, output, addresses, previews, pictures)
-    if runtime:
-        tell("the viewer and its Python", 0.9)
-        _add_viewer(pages, output, extras)
+            tell(f"page {page or 'index.html'}", 0.9 + 0.1 * number / (len(catalogue.meshes) + 40))
+    _add_indexes(catalogue, output, addresses, pictures)
     output.clean()
     tell("done", 1.0)
     return BuildReport(
@@ -136,10 +155,12 @@ def build(
         sources=len(catalogue.sources),
         meshes=len(catalogue.meshes),
         measured=measurer.measured,
+        taken=taken,
         changed=output.changed,
         seconds=time.perf_counter() - began,
         sizes=_sizes(out),
         warnings=warnings,
+        notes=[trouble] if trouble else [],
     )
 
 
@@ -150,7 +171,7 @@ def _add_meshes(
     previews: set[str] = set()
     here = [mesh for mesh in catalogue.meshes if mesh.kind != "url"]
     for number, mesh in enumerate(here):
-        tell(f"mesh {mesh.id}", 0.02 + 0.55 * number / len(here))
+        tell(f"mesh {mesh.id}", 0.02 + 0.3 * number / len(here))
         try:
             if mesh.kind == "made":
                 mesh.local = make(mesh, catalogue.root, cache)
@@ -189,8 +210,7 @@ def disagreements(mesh: MeshEntry) -> list[Problem]:
     return found
 
 
-def _add_pictures(catalogue: Catalogue, output: Output, cache: Path) -> set[str]:
-    thumbnails = Thumbnails(cache)
+def _add_pictures(catalogue: Catalogue, output: Output, thumbnails: Thumbnails) -> set[str]:
     pictures = set()
     for mesh in catalogue.meshes:
         picture = thumbnails.thumbnail(mesh)
@@ -198,6 +218,17 @@ def _add_pictures(catalogue: Catalogue, output: Output, cache: Path) -> set[str]
             output.copy(mesh.picture_address, picture)
             pictures.add(mesh.picture_address)
     return pictures
+
+
+def _add_figures(collection: Collection, output: Output, album: Album) -> set[str]:
+    """Copy the pictures of gallery and guide; give their addresses."""
+    figures = set()
+    for address, shot in collection.figures.items():
+        picture = album.picture(shot)
+        if picture:
+            output.copy(address, picture)
+            figures.add(address)
+    return figures
 
 
 def _add_static(output: Output) -> dict[str, str]:
@@ -213,10 +244,7 @@ def _add_static(output: Output) -> dict[str, str]:
     return extras
 
 
-def _add_indexes(
-    catalogue: Catalogue, output: Output, pages: list[str], previews: set[str], pictures: set[str]
-) -> None:
-    output.write("catalogue.json", indexes.catalogue_json(catalogue, previews))
+def _add_indexes(catalogue: Catalogue, output: Output, pages: list[str], pictures: set[str]) -> None:
     output.write("index.json", indexes.index_json(catalogue))
     output.write("search.json", indexes.search_json(catalogue, pictures))
     output.write("datasets/index.json", indexes.original_index(catalogue))

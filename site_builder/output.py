@@ -6,7 +6,7 @@ import filecmp
 import shutil
 from pathlib import Path
 
-OWNED = ("about", "catalogue", "datasets", "meshes", "pictures", "sources", "styles")
+OWNED = ("about", "catalogue", "datasets", "gallery", "guide", "meshes", "pictures", "sources", "styles")
 """Folders in which nothing may lie that this build hasn't written."""
 
 

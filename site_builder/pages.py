@@ -19,6 +19,8 @@ from .facets import FACETS, counts
 from .histogram import draw
 from .indexes import INDEX_VERSION
 from .model import Catalogue, MeshEntry, Source
+from .picture_pages import gallery_values, guide_values
+from .pictures.collection import Collection
 
 FIRST = 24
 """Cards that the front page shows before anybody searches."""
@@ -36,13 +38,23 @@ class Pages:
         Addresses of the thumbnails that the site has.
     extras : dict
         What all pages may link to if it is there: ``manifest``.
+    collection : Collection
+        What gallery and guide show.
+    figures : set of str
+        Addresses of those of its pictures that the site has.
     """
 
     def __init__(
-        self, catalogue: Catalogue, pictures: set[str], extras: dict[str, str] | None = None
+        self,
+        catalogue: Catalogue,
+        pictures: set[str],
+        extras: dict[str, str] | None = None,
+        collection: Collection | None = None,
+        figures: set[str] | None = None,
     ) -> None:
         self._catalogue = catalogue
         self._pictures = pictures
+        self._collection = collection or Collection(catalogue)
         self._citations: dict[str, dict[str, Markup]] = {}
         self._environment = Environment(
             loader=FileSystemLoader(Path(__file__).parent / "templates"),
@@ -60,6 +72,7 @@ class Pages:
             published=not catalogue.address.startswith(LOCAL),
             manifest=(extras or {}).get("manifest", ""),
             picture=lambda mesh: mesh.picture_address in pictures,
+            taken=lambda figure: figure.address in (figures or ()),
             short_verdict=words.short_verdict,
             verdict=words.verdict,
             structure_line=words.structure_line,
@@ -77,6 +90,8 @@ class Pages:
     def all(self) -> Iterator[tuple[str, str]]:
         """Every page: its folder below the site's root, ending in a slash or empty, and its HTML."""
         yield "", self.front()
+        yield "gallery/", self.gallery()
+        yield "guide/", self.guide()
         yield "about/", self.about()
         for source in self._catalogue.sources:
             yield source.page, self.source(source)
@@ -114,6 +129,14 @@ class Pages:
             index_version=INDEX_VERSION,
             semi_structured=words.SEMI_STRUCTURED,
         )
+
+    def gallery(self) -> str:
+        """Every mode and light side by side."""
+        return self._render("gallery", "gallery/", **gallery_values(self._collection))
+
+    def guide(self) -> str:
+        """What each tool does, with a picture."""
+        return self._render("guide", "guide/", **guide_values(self._collection))
 
     def source(self, source: Source) -> str:
         """A source's page."""

@@ -32,18 +32,26 @@ OFFERED = "/-offered-mesh"
 PATIENCE = 600_000
 """Milliseconds for one picture: light on a large mesh takes its time without a graphics card."""
 
-RENDER = """async ({ address, name, status, size }) => {
+SHOW = """async ({ address, name, status }) => {
   const hexalab = window.hexalab;
   try {
-    const data = await (await fetch(address)).blob();
-    await hexalab.open(new File([data], name));
+    if (address) await hexalab.open(new File([await (await fetch(address)).blob()], name));
+    else await hexalab.open(name);
     const problems = status ? await hexalab.setStatus(status) : [];
     await hexalab.settled();
-    const bytes = new Uint8Array(await (await hexalab.screenshot(size)).arrayBuffer());
+    return { problems, summary: hexalab.summary() };
+  } catch (error) {
+    return { failed: error.message ?? String(error) };
+  }
+}"""
+
+PICTURE = """async (size) => {
+  try {
+    const bytes = new Uint8Array(await (await window.hexalab.screenshot(size)).arrayBuffer());
     let text = "";
     for (let at = 0; at < bytes.length; at += 32768)
       text += String.fromCharCode(...bytes.subarray(at, at + 32768));
-    return { png: btoa(text), problems, summary: hexalab.summary() };
+    return { png: btoa(text) };
   } catch (error) {
     return { failed: error.message ?? String(error) };
   }
@@ -136,7 +144,7 @@ class Renderer:
     def render(
         self,
         name: str,
-        data: bytes,
+        data: bytes | None,
         status: dict[str, Any] | None = None,
         *,
         width: int = WIDTH,
@@ -148,9 +156,9 @@ class Renderer:
         Parameters
         ----------
         name : str
-            The file's name.
-        data : bytes
-            The file.
+            The file's name, or "source/mesh" of the site's catalogue.
+        data : bytes or None
+            The file; None for a mesh of the catalogue.
         status : dict, optional
             Whole or partial, ours or the original's.
         width, height : int
@@ -163,17 +171,48 @@ class Renderer:
         RenderError
             The mesh can't be read, or the browser gave up.
         """
-        assert self._page is not None, "use it in a with block"
-        self._shelf[OFFERED] = data
+        answer = self.show(name, data, status)
         size = {"width": width, "height": height, "transparent": transparent}
-        wanted = {"address": OFFERED, "name": name, "status": status, "size": size}
+        png = base64.b64decode(self._answer(PICTURE, size, name)["png"])
+        return Rendering(png, answer["problems"], answer["summary"])
+
+    def show(self, name: str, data: bytes | None, status: dict[str, Any] | None = None) -> dict[str, Any]:
+        """Open a mesh in the viewer and wait until its light has converged.
+
+        Parameters
+        ----------
+        name, data, status
+            As for `render`.
+
+        Returns
+        -------
+        dict
+            ``problems`` and ``summary``, as `Rendering` has them.
+
+        Raises
+        ------
+        RenderError
+            The mesh can't be read, or the browser gave up.
+        """
+        if data is not None:
+            self._shelf[OFFERED] = data
+        address = "" if data is None else OFFERED
+        return self._answer(SHOW, {"address": address, "name": name, "status": status}, name)
+
+    @property
+    def page(self) -> Page:
+        """The viewer's page."""
+        assert self._page is not None, "use it in a with block"
+        return self._page
+
+    def _answer(self, script: str, argument: dict[str, Any], name: str) -> dict[str, Any]:
         try:
-            answer = self._page.evaluate(RENDER, wanted)
+            answer: dict[str, Any] = self.page.evaluate(script, argument)
         except PlaywrightError as error:
             raise RenderError(f"{name}: the browser gave up: {_first_line(error)}") from None
         if "failed" in answer:
             raise RenderError(str(answer["failed"]))
-        return Rendering(base64.b64decode(answer["png"]), answer["problems"], answer["summary"])
+        return answer
 
     def _start(self, started: ExitStack) -> Page:
         handler = partial(_Handler, directory=str(self._site), shelf=self._shelf)

@@ -112,7 +112,7 @@ def attacked(tmp_path_factory):
 
 def test_C2_an_attack_in_any_field_comes_out_as_text(attacked):
     found = pages(attacked)
-    assert len(found) == 9
+    assert len(found) == 11
     for name, page in found.items():
         assert "49" not in page.text.split("alert(1)>")[-1][:2], name
         for tag, attributes in page.elements:
@@ -125,7 +125,7 @@ def test_C2_an_attack_in_any_field_comes_out_as_text(attacked):
             for attribute in ("href", "src", "action"):
                 address = attributes.get(attribute, "")
                 assert re.match(r"(https?://|[\w./#?=&%-]+$|$)", address), (name, address)
-        assert json_ld(page) if "about" not in name else True
+        assert json_ld(page) if name.split("/")[0] not in ("about", "gallery", "guide") else True
     front = found["index.html"].text
     assert "<script>alert(1)</script>" in front
     assert "{{7*7}}" in front

@@ -1,0 +1,32 @@
+"""Pictures that were taken, kept between builds."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from .shot import Shot
+
+
+class Album:
+    """The pictures there are, by mesh, status, size and style.
+
+    Parameters
+    ----------
+    cache : Path
+        Folder of the build's cache; pictures lie in `pictures/` in it.
+    """
+
+    def __init__(self, cache: Path) -> None:
+        self._folder = cache / "pictures"
+
+    def picture(self, shot: Shot) -> Path | None:
+        """The PNG of a shot, or None if it hasn't been taken."""
+        place = self._folder / f"{shot.key}.png"
+        return place if shot.key and place.is_file() else None
+
+    def keep(self, shot: Shot, png: bytes) -> None:
+        """Store the picture of a shot."""
+        if not shot.key:
+            raise ValueError(f"{shot.mesh.id} has not been measured: its content isn't known")
+        self._folder.mkdir(parents=True, exist_ok=True)
+        (self._folder / f"{shot.key}.png").write_bytes(png)

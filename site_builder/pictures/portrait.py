@@ -1,0 +1,52 @@
+"""How a mesh is shown on its card: the status that brings out what it is about, chosen by its facts."""
+
+from __future__ import annotations
+
+from ..facts import Facts
+from .shot import Status
+from .views import cut, three_quarter_view
+
+FEW, MANY = 1_600, 20_000
+"""Cells up to which each is drawn with rounded edges, and from which on with thin lines."""
+
+BAD_CELLS: Status = {"quality": {"items": [{"source": "scaled_jacobian", "keep": "inside", "maximum": 0.3}]}}
+"""Filters that leave what is inverted, or nearly."""
+
+JACOBIAN: Status = {"by": "quality", "metric": "scaled_jacobian", "map": "red_blue"}
+
+
+def portrait(facts: Facts) -> Status:
+    """The status of a mesh's thumbnail.
+
+    Seen from the front, the side and above, cut in half by a plane that faces the eye; what is hidden stays as a
+    faint silhouette. A mesh of several kinds of cells is coloured by kind. Of a mesh with inverted or flat cells the
+    picture shows these and the next worst, coloured by the Scaled Jacobian.
+    """
+    cells, found = facts.cells or 0, {finding["id"] for finding in facts.findings or ()}
+    view, normal = three_quarter_view(facts.extent or [[-1, -1, -1], [1, 1, 1]])
+    status: Status = {"camera": view, "separation": separation(cells)}
+    if found:
+        status["irregular"] = {"mode": 0}
+    if len(facts.kinds or ()) > 1:
+        status["colour"] = {"by": "kind"}
+    elif facts.sj_not_positive or "degenerate_cells" in found:
+        edges = {"mode": "darkness_coded_edges"}
+        return status | {"filters": BAD_CELLS, "colour": JACOBIAN, "separation": edges}
+    if worth_cutting(cells, found):
+        status["filters"] = cut(normal)
+    return status
+
+
+def worth_cutting(cells: int, found: set[str]) -> bool:
+    """Whether half of a mesh tells more than the whole: not of a few cells, nor of parts that lie side by side."""
+    apart = "components" in found and "coincident_vertices" not in found
+    return cells > 3 and not apart
+
+
+def separation(cells: int) -> Status:
+    """How cells are told apart, by how many there are."""
+    if cells <= FEW:
+        return {"mode": "rounded", "radius": 0.09}
+    if cells <= MANY:
+        return {"mode": "darkness_coded_edges"}
+    return {"mode": "lines", "line_opacity": 0.2 if cells < 500_000 else 0.12}

@@ -1,0 +1,45 @@
+"""A picture described before the mesh is at hand: which mesh, how it is cut, what else of the status is set."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from hexalab.status import merge
+
+from .shot import Status
+from .views import Vector, cut
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """How one picture of gallery or guide is made.
+
+    Parameters
+    ----------
+    mesh : str
+        ``source/mesh`` of the catalogue.
+    settings : dict
+        What the picture is about: this part of the status is what its text names.
+    setting : dict
+        What else is set, so that it can be seen.
+    title, sentence : str
+    offset : float
+        How far the plane of the three-quarter view has gone in: 0 hides nothing.
+    part : str
+        As in `Shot`.
+    """
+
+    mesh: str
+    settings: Status = field(default_factory=dict)
+    setting: Status = field(default_factory=dict)
+    title: str = ""
+    sentence: str = ""
+    offset: float = 0.5
+    part: str = ""
+
+    def status(self, view: Status, normal: Vector) -> Status:
+        """The whole partial status, for the mesh's three-quarter view."""
+        base: Status = {"camera": view}
+        if self.offset:
+            base["filters"] = cut(normal, self.offset)
+        return merge(merge(base, self.setting), self.settings)

@@ -1,0 +1,70 @@
+"""Taking pictures: one browser with the site's viewer in it, one picture after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from hexalab.status import DEFAULTS, merge
+
+from ..rendering import Renderer, RenderError
+from .album import Album
+from .shot import Shot
+
+Progress = Callable[[str, float], None]
+"""Called with what is being done, and how much of all pictures is done: 0 to 1."""
+
+
+class Studio(Renderer):
+    """The viewer of a built site, ready to take shots of its own meshes."""
+
+    def take(self, shot: Shot) -> bytes:
+        """The PNG of a shot, its status inside.
+
+        Raises
+        ------
+        RenderError
+            The mesh can't be opened, the status is wrong, or the browser gave up.
+        """
+        name = shot.mesh.id
+        status = merge({name: part for name, part in DEFAULTS.items() if name != "mesh"}, shot.status)
+        if shot.part:
+            answer = self.show(name, None, status)
+            problems, png = answer["problems"], self._photograph(shot)
+        else:
+            rendering = self.render(name, None, status, width=shot.width, height=shot.height)
+            problems, png = rendering.problems, rendering.png
+        if problems:
+            raise RenderError(f"the status of a picture of {name} is wrong: {problems}")
+        return png
+
+    def _photograph(self, shot: Shot) -> bytes:
+        if shot.part == "body":
+            return self.page.screenshot()
+        return self.page.locator(shot.part).screenshot()
+
+
+def take_missing(shots: Sequence[Shot], site: Path, album: Album, tell: Progress) -> tuple[int, str]:
+    """Take the shots that the album lacks.
+
+    Returns
+    -------
+    taken : int
+        How many pictures are new.
+    trouble : str
+        One line that says why some are missing still; "" if none is.
+    """
+    wanted = list({shot.key: shot for shot in shots if shot.key and not album.picture(shot)}.values())
+    taken = 0
+    if not wanted:
+        return 0, ""
+    try:
+        tell("the viewer, for pictures", 0.0)
+        with Studio(site) as studio:
+            for number, shot in enumerate(wanted):
+                tell(f"picture of {shot.mesh.id}", number / len(wanted))
+                album.keep(shot, studio.take(shot))
+                taken += 1
+    except RenderError as error:
+        return taken, f"{len(wanted) - taken} of {len(wanted)} pictures are missing: {error}"
+    return taken, ""
