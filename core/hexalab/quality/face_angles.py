@@ -11,16 +11,13 @@ import numpy as np
 
 from ..mesh import Floats
 from .arena import dot
-from .block import BITS, TOLERANCE, HexahedronBlock
+from .block import BITS, QUADS, TOLERANCE, HexahedronBlock
 
 SIGNS = ((1, 1, -1, -1, -1, -1, 1, 1), (1, -1, -1, 1, 1, -1, -1, 1), (1, -1, 1, -1, -1, 1, -1, 1))
 """For the pairs u v, v w, w u: sign between the cosine of two edges and that of the face's angle, at each corner."""
 
 FACE_ROWS = (((0, 1, 4, 5), (2, 3, 6, 7)), ((0, 3, 5, 6), (1, 2, 4, 7)), ((0, 2, 4, 6), (1, 3, 5, 7)))
 """For the pairs u v, v w, w u: corners (rows of the block) of the two faces that the pair spans."""
-
-QUADS = ((3, 2, 1, 0), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
-"""The faces with Verdict's first corner, which matters where the last two coincide."""
 
 
 def equiangle_skew(block: HexahedronBlock, out: Floats) -> None:

@@ -141,9 +141,9 @@ def distortion(block: HexahedronBlock, out: Floats) -> None:
     np.min(block.gauss_determinants, axis=0, out=out)
     np.minimum(out, block.determinants.min(axis=0), out=out)
     np.minimum(out, 8 * HUGE, out=out)
-    out /= block.volume
+    out /= block.gauss_volume
     overflow(out)
-    out[block.volume == 0] = -inf
+    out[block.gauss_volume == 0] = -inf
 
 
 NODES = (

@@ -111,6 +111,9 @@ def hexahedra(count: int = 400, seed: int = 2) -> dict[str, np.ndarray]:
         "stretched": (CUBE + random.uniform(-0.3, 0.3, (count, 8, 3)))
         * 10 ** random.uniform(-6, 6, (count, 1, 3)),
         "twisted": twisted * [1, 1, 2] + random.uniform(-0.05, 0.05, (count, 8, 3)),
+        "far away": CUBE * 1e-3
+        + random.uniform(-2e-4, 2e-4, (count, 8, 3))
+        + 300 * random.normal(size=(count, 1, 3)),
         "irregular": CUBE + random.uniform(-0.6, 0.6, (count, 8, 3)),
         "needles": (CUBE + random.uniform(-0.3, 0.3, (count, 8, 3)))
         * np.concatenate([10 ** random.uniform(-9, 0, (count, 1, 2)), np.ones((count, 1, 1))], axis=2),
