@@ -116,12 +116,15 @@ export class DepthAtlas {
   /**
    * @param {import("three").WebGLRenderer} renderer
    * @param {{ x: number[], y: number[], z: number[] }[]} views at most columns squared
+   * @param {number} first number of the first view among all: each has its own tile whatever the batch, so that sums come out
+   *   the same to the last digit
    */
-  draw(renderer, views) {
+  draw(renderer, views, first) {
     const { columns, rows } = this;
     views.forEach((view, k) => {
-      const cx = (2 * (k % columns) + 1) / columns - 1;
-      const cy = (2 * Math.floor(k / columns) + 1) / columns - 1;
+      const tile = (first + k) % columns ** 2;
+      const cx = (2 * (tile % columns) + 1) / columns - 1;
+      const cy = (2 * Math.floor(tile / columns) + 1) / columns - 1;
       rows.x[k].fromArray(view.x).divideScalar(columns);
       rows.x[k].w += cx;
       rows.y[k].fromArray(view.y).divideScalar(columns);

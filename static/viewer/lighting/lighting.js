@@ -5,8 +5,15 @@ import { TimeBudget } from "./time_budget.js";
 /** Directions at which nothing is left of the screen-space term. */
 const FADED = 48;
 
+/** Directions before the first picture of a surface, and in a lot that fills the depth maps. */
+const FIRST = 8;
+const BATCH = 16;
+
+/** Lots from which on the GPU counts as fast: the screen-space term is drawn besides, to smooth the first directions. */
+const FAST = 32;
+
 /** A new picture is worth drawing when the number of directions has grown by this. */
-const GROWTH = 2;
+const GROWTH = 3;
 
 /**
  * Chooses and feeds the light of the surface: which terms are gathered, when, and how they are mixed in its shader.
@@ -68,7 +75,8 @@ export class Lighting {
     if (this.settled) return { again: false, draw: false };
     const fresh = object.count === 0;
     if (fresh || this.#budget.ready(busy)) {
-      const wanted = fresh ? Math.min(8, this.#budget.size) : this.#budget.size;
+      // The first picture shall have its light; lots below a batch waste more than they give.
+      const wanted = fresh ? FIRST : Math.max(busy ? 2 : BATCH, this.#budget.size);
       for (let left = wanted; left > 0 && !object.done; ) {
         const done = object.advance(left);
         left -= done;
@@ -109,7 +117,7 @@ export class Lighting {
       const now = [...camera.matrixWorld.elements, ...camera.projectionMatrix.elements, width, height].join();
       // Once the true term stands alone in a view that moves, the estimate does not come back.
       if (share > 0 && now !== this.#view) this.#covering = false;
-      if (share === 0) this.#covering = true;
+      if (share === 0 || (object.count <= FIRST && this.#budget.size >= FAST)) this.#covering = true;
       if (this.#covering) {
         cover = 1;
         const fade = (object.count - ENOUGH) / (FADED - ENOUGH);

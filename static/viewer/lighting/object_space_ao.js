@@ -46,6 +46,11 @@ export class ObjectSpaceAO {
     this.#renderer = renderer;
   }
 
+  /** All directions, three numbers each. */
+  get directions() {
+    return this.#towards;
+  }
+
   get done() {
     return this.#surface === null || this.count >= DIRECTIONS;
   }
@@ -114,7 +119,7 @@ export class ObjectSpaceAO {
     for (let k = first; k < first + count; k++) {
       views.push(lightView(this.#towards.subarray(3 * k, 3 * k + 3), box, 2 / atlas.side));
     }
-    atlas.draw(this.#renderer, views);
+    atlas.draw(this.#renderer, views, first);
     const texel = Math.hypot(box[3] - box[0], box[4] - box[1], box[5] - box[2]) / atlas.side;
     this.#gatherer.gather(this.#renderer, atlas, this.#towards, {
       first,
@@ -169,7 +174,7 @@ function tileSide(box, edge, { mode, faces }) {
   const extent = Math.hypot(box[3] - box[0], box[4] - box[1], box[5] - box[2]);
   const apart = mode === "fissure";
   const wanted = 2 ** Math.ceil(Math.log2(((apart ? 12 : 3) * extent) / edge));
-  return Math.max(256, Math.min(wanted, apart && faces.length < 6000 ? 1024 : 512));
+  return Math.max(256, Math.min(wanted, apart && faces.length < 12000 ? 1024 : 512));
 }
 
 /**

@@ -49,8 +49,8 @@ export class IrregularLayer {
   constructor() {
     const layers = [this.#paper, this.#folds, this.#barbs, this.#wires];
     for (const through of [1, 0]) for (const layer of layers) this.group.add(layer[through].mesh);
-    // Pulled no more than rounding asks for: ends that dive into the surface would show as dots.
-    for (const lines of [...this.#wires, ...this.#barbs, ...this.#folds]) lines.pull = 0.25;
+    // Not pulled: ends that dive into the surface would show as dots.
+    for (const lines of [...this.#wires, ...this.#barbs, ...this.#folds]) lines.pull = 0;
     for (const wire of this.#wires) wire.width = 1.75;
     for (const barb of this.#barbs) barb.width = 1.25;
     for (const fold of this.#folds) fold.width = 1.5;

@@ -1,0 +1,170 @@
+"""The light: against ray tracing, the same on every run, restarted only by geometry (SPEC V5, P4)."""
+
+from __future__ import annotations
+
+import base64
+import os
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from hexalab.formats import read_bytes
+from hexalab.mesh import Mesh
+from hexalab.surface import Drawing, extract_surface
+
+from .grids import grid_surface
+from .rays import openness
+from .test_drawing import FRONT, show
+
+ROOT = Path(__file__).parents[3]
+MESHES = Path(os.environ.get("HEXALAB_MESHES", ROOT.parent / "shared" / "meshes"))
+BASE64 = """(array) => {
+    const bytes = new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
+    let text = '';
+    for (let k = 0; k < bytes.length; k += 8192) text += String.fromCharCode(...bytes.subarray(k, k + 8192));
+    return btoa(text);
+}"""
+
+
+def numbers(stage: Any, expression: str, dtype: Any = np.float32) -> np.ndarray:
+    """Return a typed array of the page."""
+    return np.frombuffer(base64.b64decode(stage.run(f"({BASE64})({expression})")), dtype)
+
+
+def gather(stage: Any, surface: dict[str, Any]) -> np.ndarray:
+    """Return the openness of every drawn vertex after all directions."""
+    stage.call("setMesh", {"cells": 1})
+    stage.call("setStatus", {"lighting": {"mode": "none"}, "silhouette": 0})
+    stage.call("setSurface", surface)
+    stage.run("() => { while (!scene.lighting.object.done) scene.lighting.object.advance(16); }")
+    return numbers(stage, "scene.lighting.object.read()")
+
+
+def surface_of(mesh: Mesh, mode: str) -> dict[str, Any]:
+    """Return the surface of the half of a mesh that lies beyond the middle along x."""
+    middle = mesh.points[mesh.cells].mean(axis=1)[:, 0]
+    found = extract_surface(Drawing(mesh), middle > (middle.min() + middle.max()) / 2, mode).arrays()
+    return {k: np.ravel(v) if isinstance(v, np.ndarray) else v for k, v in found.items()}
+
+
+def cavity() -> Mesh:
+    """Return a box of 12 x 8 x 8 unit cells with a square shaft six cells deep."""
+    there = np.ones((12, 8, 8), bool)
+    there[6:, 3:5, 3:5] = False
+    there[7:9, 2:6, 2:6] = False
+    ids = np.arange(13 * 9 * 9).reshape(13, 9, 9)
+    offsets = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
+    cells = np.stack([ids[x : x + 12, y : y + 8, z : z + 8][there] for x, y, z in offsets], axis=1)
+    points = np.stack(np.meshgrid(np.arange(13.0), np.arange(9.0), np.arange(9.0), indexing="ij"), -1)
+    return Mesh.from_cells(points.reshape(-1, 3), cells)
+
+
+def published(name: str) -> Mesh:
+    """Return a published mesh, or skip the test where it is not."""
+    found = sorted(MESHES.glob(f"*{name}*")) if MESHES.is_dir() else []
+    if not found:
+        pytest.skip(f"no mesh {name} in {MESHES}")
+    return read_bytes(found[0].read_bytes(), found[0].name)
+
+
+@pytest.mark.parametrize("mode", ["lines", "fissure", "rounded"])
+@pytest.mark.parametrize("name", ["cavity", "rod-rod", "DEMO09", "hex-joint"])
+def test_V5_openness_is_that_of_traced_rays(stage: Any, name: str, mode: str) -> None:
+    surface = surface_of(cavity() if name == "cavity" else published(name), mode)
+    directions = numbers(stage, "scene.lighting.object.directions", np.float64).reshape(-1, 3)
+    assert directions.shape == (1024, 3)
+    count = len(surface["positions"]) // 3
+    some = np.random.default_rng(5).choice(count, min(count, 200), replace=False)
+    found = gather(stage, surface)[some]
+    # An eighth of the directions tells the truth to a hundredth; tracing all takes minutes.
+    truth = openness(surface, some, directions[:128])
+    error = np.abs(found - truth)
+    assert error.mean() < 0.03, f"mean error {error.mean():.4f}"
+    assert np.quantile(error, 0.95) < 0.1, f"95th percentile {np.quantile(error, 0.95):.4f}"
+    assert truth.std() > 0.05
+
+
+def test_V5_a_convex_body_is_open_everywhere_and_a_closed_room_nowhere(stage: Any) -> None:
+    found = gather(stage, grid_surface(np.ones((5, 4, 3), bool)))
+    assert found.min() > 0.995
+    shell = np.ones((5, 5, 5), bool)
+    shell[1:4, 1:4, 1:4] = False
+    surface = grid_surface(shell)
+    found = gather(stage, surface)
+    inner = np.abs(surface["positions"].reshape(-1, 3)).max(axis=1) < 0.9 * 2.5 / np.sqrt(75)
+    assert inner.sum() == 6 * 9 * 4
+    assert found[inner].max() < 0.01
+    assert found[~inner].min() > 0.99
+
+
+def test_V5_inverted_faces_are_lit_from_the_side_that_is_open(stage: Any) -> None:
+    surface = grid_surface(np.ones((4, 4, 4), bool))
+    turned = surface["normals"].reshape(-1, 4).copy()
+    turned[::16] *= -1
+    turned[1::16] *= -1
+    found = gather(stage, {**surface, "normals": turned.ravel()})
+    assert found.min() > 0.97
+
+
+def test_V5_the_sums_are_the_same_on_every_run_and_for_every_batch(stage: Any) -> None:
+    surface = grid_surface(np.random.default_rng(2).random((6, 5, 4)) < 0.6)
+    first = gather(stage, surface)
+    again = gather(stage, surface)
+    assert np.array_equal(first, again)
+    stage.call("setSurface", surface)
+    stage.run(
+        "() => { let k = 0; const o = scene.lighting.object; while (!o.done) o.advance([1, 3, 16, 7][k++ % 4]); }"
+    )
+    assert np.array_equal(numbers(stage, "scene.lighting.object.read()"), first)
+
+
+def test_V5_only_geometry_starts_the_light_anew(stage: Any) -> None:
+    show(stage, np.ones((3, 3, 3), bool), lighting={"mode": "object_space_ao"})
+    stage.run("scene.settled()")
+    stage.call("setCellColours", np.linspace(0, 1, 27).astype(np.float32))
+    for status in (
+        {"colour": {"by": "quality", "map": "jet"}},
+        {"camera": {**FRONT, "distance": 1.1}},
+        {"silhouette": 0.5, "irregular": {"mode": 3}},
+        {"lighting": {"mode": "direct"}},
+        {"lighting": {"mode": "object_space_ao"}},
+    ):
+        stage.call("setStatus", status)
+        stage.settle()
+        assert stage.run("scene.lighting.object.count") == 1024
+    stage.call("setSurface", grid_surface(np.ones((3, 3, 2), bool)))
+    assert stage.run("scene.lighting.object.count") == 0
+
+
+def test_V5_the_first_light_is_in_the_first_picture(stage: Any) -> None:
+    shown = np.ones((4, 4, 4), bool)
+    shown[2:, 2:, 2:] = False
+    show(stage, shown, lighting={"mode": "object_space_ao"})
+    stage.call("setSurface", grid_surface(shown))
+    directions = stage.run("""async () => {
+        const before = scene.frames;
+        while (scene.frames === before) await next();
+        return scene.lighting.object.count;
+    }""")
+    assert directions >= 6
+
+
+def test_V5_screen_space_light_darkens_creases_and_casts_no_halo(stage: Any) -> None:
+    shown = np.ones((8, 8, 8), bool)
+    shown[4:, 4:, :] = False
+    view = {**FRONT, "direction": [-0.6, -0.6, -0.53], "up": [0, 1, 0]}
+    colours = {"by": "sides", "outside": "#ffffff", "inside": "#ffffff"}
+    show(stage, shown, lighting={"mode": "direct"}, camera=view, colour=colours, silhouette=0)
+    model = stage.picture()
+    stage.call("setStatus", {"lighting": {"mode": "screen_space_ao"}})
+    stage.settle()
+    lit = stage.picture()[..., 0].astype(int)
+    background = np.all(model == 255, axis=2)
+    assert np.all(lit[background] == 255), "nothing is darkened beside the model"
+    inside = lit[~background]
+    assert np.quantile(inside, 0.02) < 0.8 * np.median(inside)
+    # Along the outer rim of the model no band is darker than the faces within.
+    rim = ~background & (np.roll(background, 2, 0) | np.roll(background, -2, 0) | np.roll(background, 2, 1))
+    assert np.median(lit[rim]) > 0.85 * np.median(inside)
