@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from .recipe import Recipe
 
 LATTICE, NOISY, PADDED = "shapes/lattice", "sizes/grid-1000", "structures/padded-cube"
+WIDE_RANGE = "shapes/t-junction"
 
 MODES = {
     "lines": (
@@ -79,7 +80,11 @@ def _maps() -> dict[str, Recipe]:
     mode = {"separation": {"mode": "rounded", "radius": 0.06}}
     return {
         name.replace("_", "-"): Recipe(
-            NOISY, {"colour": {"by": "quality", "map": name}}, mode, title=title, sentence=sentence
+            WIDE_RANGE,
+            {"colour": {"by": "quality", "map": name, "range": [0.5, 1]}},
+            mode,
+            title=title,
+            sentence=sentence,
         )
         for name, (title, sentence) in rows.items()
     }
@@ -138,7 +143,7 @@ SECTIONS = (
     SectionRecipe(
         "maps",
         "Quality in colour",
-        "A thousand cells by their Scaled Jacobian. In each map the first colour, blue or nearly, is the best.",
+        "Cells by their Scaled Jacobian, from 0.5 to 1. In each map the first colour, blue or nearly, is the best.",
         _maps(),
     ),
     SectionRecipe("colours", "Other colours", "What else the faces can tell.", COLOURS),

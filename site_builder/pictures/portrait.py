@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..facts import Facts
 from .shot import Status
-from .views import cut, three_quarter_view
+from .views import along, cut, three_quarter_view
 
 FEW, MANY = 1_600, 20_000
 """Cells up to which each is drawn with rounded edges, and from which on with thin lines."""
@@ -19,8 +19,9 @@ def portrait(facts: Facts) -> Status:
     """The status of a mesh's thumbnail.
 
     Seen from the front, the side and above, cut in half by a plane that faces the eye; what is hidden stays as a
-    faint silhouette. A mesh of several kinds of cells is coloured by kind. Of a mesh with inverted or flat cells the
-    picture shows these and the next worst, coloured by the Scaled Jacobian.
+    faint silhouette. The plane is turned a little, so that steps show the cells; where they are too small for that,
+    it stands along an axis. A mesh of several kinds of cells is coloured by kind. Of a mesh with inverted or flat
+    cells the picture shows these and the next worst, coloured by the Scaled Jacobian.
     """
     cells, found = facts.cells or 0, {finding["id"] for finding in facts.findings or ()}
     view, normal = three_quarter_view(facts.extent or [[-1, -1, -1], [1, 1, 1]])
@@ -33,7 +34,7 @@ def portrait(facts: Facts) -> Status:
         edges = {"mode": "darkness_coded_edges"}
         return status | {"filters": BAD_CELLS, "colour": JACOBIAN, "separation": edges}
     if worth_cutting(cells, found):
-        status["filters"] = cut(normal)
+        status["filters"] = cut(normal if cells <= MANY else along(normal))
     return status
 
 

@@ -71,6 +71,12 @@ def cut(normal: Vector, offset: float = 0.5) -> Status:
     return {"planes": {"items": [{"enabled": True, "normal": list(normal), "offset": offset}]}}
 
 
+def along(normal: Vector) -> Vector:
+    """The axis nearest to a normal."""
+    largest = max(range(3), key=lambda axis: abs(normal[axis]))
+    return tuple(float(np.sign(x)) if axis == largest else 0.0 for axis, x in enumerate(normal))
+
+
 def _corners(extent: Sequence[Vector]) -> NDArray[np.float64]:
     """The box's corners (8, 3) about its centre, in diagonals."""
     low, high = np.asarray(extent, float)
