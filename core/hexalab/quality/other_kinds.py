@@ -162,7 +162,8 @@ def pyramid_scaled_jacobian(block: CellBlock, out: Floats) -> None:
 def pyramid_shape(block: CellBlock, out: Floats) -> None:
     """Shape of the base, times the cosine between the axis and the base's normal, times min(r, 1/r).
 
-    0 where base or height is not positive, or a base corner's squared edges add up to less than 2.2e-15 (with a unit!).
+    0 where base or height is not positive, where the base's area is below 1.1e-15 (with a unit: edges below 3e-8),
+    or an edge of it, squared, is below 2.2e-15 of its squared box diagonal.
     r is the height over sqrt(1/2) times the longest edge, 1 for the ideal pyramid. Verdict takes the normal at the
     base's first corner, and of its first two edges only the shorter counts for the longest: so do we.
     """
@@ -170,7 +171,9 @@ def pyramid_shape(block: CellBlock, out: Floats) -> None:
     edges = [base[(i + 1) % 4] - base[i] for i in range(4)]
     normals = [cross(edges[i - 1], edges[i]) for i in range(4)]
     centre = cross(edges[0] - edges[2], edges[1] - edges[3])
-    centre /= np.sqrt(times(centre, centre))
+    area = np.sqrt(times(centre, centre))
+    small = area <= 2 * TOLERANCE
+    centre /= area
     squares = [times(edge, edge) for edge in edges]
     quad = np.min([2 * times(centre, normals[i]) / (squares[i - 1] + squares[i]) for i in range(4)], axis=0)
     axis = block.corners[4] - (base[0] + base[1] + base[2] + base[3]) / 4
@@ -180,7 +183,8 @@ def pyramid_shape(block: CellBlock, out: Floats) -> None:
     ratio = height / (longest * sqrt(0.5))
     np.multiply(quad, height / np.sqrt(times(axis, axis)), out=out)
     out *= np.minimum(ratio, 1 / ratio)
-    small = np.min([squares[i - 1] + squares[i] for i in range(4)], axis=0) <= TOLERANCE
+    box = np.max(base, axis=0) - np.min(base, axis=0)
+    small |= np.min(squares, axis=0) <= TOLERANCE * times(box, box)
     out[~((quad > 0) & (height > 0)) | small] = 0
 
 
