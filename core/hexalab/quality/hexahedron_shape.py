@@ -95,6 +95,7 @@ def oddy(block: HexahedronBlock, out: Floats) -> None:
     values /= roots
     np.max(values, axis=0, out=out)
     np.maximum(out, _centre_oddy(block), out=out)
+    np.maximum(out, 0, out=out)
     out[~(np.minimum(block.determinants.min(axis=0), block.centre_determinant) > TOLERANCE)] = inf
     overflow(out)
 
