@@ -173,7 +173,7 @@ export class ObjectSpaceAO {
 function tileSide(box, edge, { mode, faces }) {
   const extent = Math.hypot(box[3] - box[0], box[4] - box[1], box[5] - box[2]);
   const apart = mode === "fissure";
-  const wanted = 2 ** Math.ceil(Math.log2(((apart ? 12 : 3) * extent) / edge));
+  const wanted = 2 ** Math.ceil(Math.log2(((apart ? 24 : 3) * extent) / edge));
   return Math.max(256, Math.min(wanted, apart && faces.length < 12000 ? 1024 : 512));
 }
 
