@@ -18,7 +18,7 @@ from .measuring import Measurer
 from .model import Catalogue, MeshEntry, Problem
 from .output import Output
 from .pages import Pages
-from .pictures import Album, take_missing
+from .pictures import Album, png_size, take_missing
 from .pictures.collection import Collection
 from .repository import read_repository
 from .thumbnails import Thumbnails
@@ -220,14 +220,14 @@ def _add_pictures(catalogue: Catalogue, output: Output, thumbnails: Thumbnails) 
     return pictures
 
 
-def _add_figures(collection: Collection, output: Output, album: Album) -> set[str]:
-    """Copy the pictures of gallery and guide; give their addresses."""
-    figures = set()
+def _add_figures(collection: Collection, output: Output, album: Album) -> dict[str, tuple[int, int]]:
+    """Copy the pictures of gallery and guide; give their widths and heights by their addresses."""
+    figures = {}
     for address, shot in collection.figures.items():
         picture = album.picture(shot)
         if picture:
             output.copy(address, picture)
-            figures.add(address)
+            figures[address] = png_size(picture)
     return figures
 
 

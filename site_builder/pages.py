@@ -40,8 +40,8 @@ class Pages:
         What all pages may link to if it is there: ``manifest``.
     collection : Collection
         What gallery and guide show.
-    figures : set of str
-        Addresses of those of its pictures that the site has.
+    figures : dict of str to (int, int)
+        Widths and heights of those of its pictures that the site has, by address.
     """
 
     def __init__(
@@ -50,7 +50,7 @@ class Pages:
         pictures: set[str],
         extras: dict[str, str] | None = None,
         collection: Collection | None = None,
-        figures: set[str] | None = None,
+        figures: dict[str, tuple[int, int]] | None = None,
     ) -> None:
         self._catalogue = catalogue
         self._pictures = pictures
@@ -72,7 +72,7 @@ class Pages:
             published=not catalogue.address.startswith(LOCAL),
             manifest=(extras or {}).get("manifest", ""),
             picture=lambda mesh: mesh.picture_address in pictures,
-            taken=lambda figure: figure.address in (figures or ()),
+            size=lambda figure: (figures or {}).get(figure.address),
             short_verdict=words.short_verdict,
             verdict=words.verdict,
             structure_line=words.structure_line,

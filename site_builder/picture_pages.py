@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import json
 import math
+import re
 import subprocess
 from functools import cache
 from pathlib import Path
 from typing import Any
+
+from markupsafe import Markup, escape
 
 from hexalab.formats import FORMATS
 from hexalab.quality import METRICS
@@ -78,7 +81,7 @@ def _caps(key: str) -> list[str]:
     return [part.upper() if len(part) == 1 else NAMES_OF_KEYS.get(part, part) for part in parts]
 
 
-def _metric_row(metric: Any) -> dict[str, str]:
+def _metric_row(metric: Any) -> dict[str, Any]:
     cube = NOT_KNOWN if metric.unit_cube is None else f"{metric.unit_cube:.4g}"
     return {
         "name": metric.name,
@@ -88,7 +91,7 @@ def _metric_row(metric: Any) -> dict[str, str]:
         "cube": cube,
         "best": "high" if metric.direction == "high" else "low",
         "unit": UNITS[metric.unit],
-        "formula": metric.formula,
+        "formula": formula(metric.formula),
     }
 
 
@@ -98,6 +101,15 @@ def interval(ends: tuple[float, float]) -> str:
     if math.isinf(ends[0]):
         return "any number" if math.isinf(ends[1]) else f"up to {high}"
     return f"from {low}" if math.isinf(ends[1]) else f"{low} to {high}"
+
+
+def formula(text: str) -> Markup:
+    """A metric's formula as HTML: powers raised, products with a cross."""
+    for plain, sign in ((" x ", " × "), (" - ", " − "), ("sqrt", "√"), ("^-", "^−")):
+        text = text.replace(plain, sign)
+    return Markup(
+        re.sub(r"\^\(([^)]*)\)|\^(−?\w+)", lambda found: f"<sup>{found[1] or found[2]}</sup>", escape(text))
+    )
 
 
 def _format_row(one: Any) -> dict[str, str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import struct
 from pathlib import Path
 
 from .shot import Shot
@@ -30,3 +31,10 @@ class Album:
             raise ValueError(f"{shot.mesh.id} has not been measured: its content isn't known")
         self._folder.mkdir(parents=True, exist_ok=True)
         (self._folder / f"{shot.key}.png").write_bytes(png)
+
+
+def png_size(file: Path) -> tuple[int, int]:
+    """Width and height of a PNG, from its first chunk."""
+    with file.open("rb") as stream:
+        width, height = struct.unpack(">II", stream.read(24)[16:])
+    return width, height

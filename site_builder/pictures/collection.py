@@ -95,4 +95,4 @@ def _figures(recipes: Mapping[str, Recipe], prefix: str, here: Mapping[str, Mesh
 def _shot(recipe: Recipe, mesh: MeshEntry) -> Shot:
     view, normal = three_quarter_view(mesh.facts.extent or [[-1, -1, -1], [1, 1, 1]])
     status = recipe.status(view, normal)
-    return Shot(mesh, status, part=recipe.part)
+    return Shot(mesh, status, part=recipe.part, press=recipe.press)

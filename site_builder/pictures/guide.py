@@ -32,6 +32,7 @@ FIGURES = {
     "lighting": Recipe(LATTICE, setting={"separation": {"mode": "fissure", "gap": 0.15}}),
     "histogram": Recipe(NOISY, setting=BY_QUALITY, part="#section-quality"),
     "diagnosis": Recipe("faults/negative-volume", part="#section-mesh", offset=0),
+    "inspector": Recipe("structures/valence-8", setting=BY_QUALITY, part=".inspector", press="#canvas"),
     "sharing": Recipe("shapes/bracket", setting=ROUNDED, offset=0.35),
 }
 """What the guide shows, by the anchor of its section."""

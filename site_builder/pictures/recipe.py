@@ -25,7 +25,7 @@ class Recipe:
     title, sentence : str
     offset : float
         How far the plane of the three-quarter view has gone in: 0 hides nothing.
-    part : str
+    part, press : str
         As in `Shot`.
     """
 
@@ -36,6 +36,7 @@ class Recipe:
     sentence: str = ""
     offset: float = 0.5
     part: str = ""
+    press: str = ""
 
     def status(self, view: Status, normal: Vector) -> Status:
         """The whole partial status, for the mesh's three-quarter view."""

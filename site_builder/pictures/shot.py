@@ -36,6 +36,8 @@ class Shot:
         Pixels.
     part : str
         Selector of a part of the viewer's page to photograph instead of the drawing; "body" for the whole window.
+    press : str
+        Selector of what is clicked before.
     """
 
     mesh: MeshEntry
@@ -43,13 +45,22 @@ class Shot:
     width: int = WIDTH
     height: int = HEIGHT
     part: str = ""
+    press: str = ""
 
     @property
     def key(self) -> str:
         """Hash of all that the picture depends on; "" while the mesh's content isn't known."""
         if not self.mesh.sha256:
             return ""
-        parts = [STYLE, self.mesh.sha256, self.status, self.width, self.height, self.part]
+        parts = [
+            STYLE,
+            self.mesh.sha256,
+            self.status,
+            self.width,
+            self.height,
+            self.part,
+            *filter(None, [self.press]),
+        ]
         return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()[:32]
 
     @property

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
+from playwright.sync_api import Error as PlaywrightError
+
 from hexalab.status import DEFAULTS, merge
 
 from ..rendering import Renderer, RenderError
@@ -39,9 +41,13 @@ class Studio(Renderer):
         return png
 
     def _photograph(self, shot: Shot) -> bytes:
-        if shot.part == "body":
-            return self.page.screenshot()
-        return self.page.locator(shot.part).screenshot()
+        try:
+            if shot.press:
+                self.page.locator(shot.press).click()
+            place = self.page if shot.part == "body" else self.page.locator(shot.part)
+            return place.screenshot()
+        except PlaywrightError as error:
+            raise RenderError(f"{shot.part} of the viewer can't be photographed: {error}") from None
 
 
 def take_missing(shots: Sequence[Shot], site: Path, album: Album, tell: Progress) -> tuple[int, str]:
