@@ -1,19 +1,56 @@
-"""Meshes made by Gmsh."""
+"""Meshes made by Gmsh, in a process of its own: its library and VTK's can't both be unloaded by one."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from multiprocessing import get_context
+from pathlib import Path
+from typing import Any
 
-import gmsh
+import numpy as np
 
 
-@contextmanager
-def extruded(wedges: bool = True, order: int = 1) -> Iterator[None]:
-    """A unit cube of hexahedra, and on request a prism of wedges beside it, as Gmsh's current model.
+@dataclass
+class Made:
+    """What Gmsh knows of the mesh it wrote.
 
-    Volumes are in the physical groups 7 and 9.
+    Parameters
+    ----------
+    elements : dict of int to (n, k) array
+        Node tags of each of its element types.
+    points : dict of int to (3,) array
+        Where each node is, by its tag.
     """
+
+    elements: dict[int, Any]
+    points: dict[int, Any]
+
+    def count(self, kind: int) -> int:
+        return len(self.elements.get(kind, ()))
+
+
+@dataclass(frozen=True)
+class File:
+    """A file to write, under these options of Gmsh."""
+
+    path: Path
+    options: Sequence[tuple[str, float]] = ()
+
+
+def make(*files: File, wedges: bool = True, order: int = 1, gaps: bool = False) -> Made:
+    """A unit cube of hexahedra, and on request a prism of wedges beside it, written to each of the files.
+
+    Volumes are in the physical groups 7 and 9. With `gaps`, node tags are 1007, 1014, ...
+    """
+    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool:
+        return pool.submit(_make, files, wedges, order, gaps).result()
+
+
+def _make(files: Sequence[File], wedges: bool, order: int, gaps: bool) -> Made:
+    import gmsh
+
     gmsh.initialize()
     try:
         gmsh.option.setNumber("General.Terminal", 0)
@@ -45,6 +82,22 @@ def extruded(wedges: bool = True, order: int = 1) -> Iterator[None]:
             gmsh.model.addPhysicalGroup(3, prism, 9)
         gmsh.model.mesh.generate(3)
         gmsh.model.mesh.setOrder(order)
-        yield
+        if gaps:
+            tags, _, _ = gmsh.model.mesh.getNodes()
+            gmsh.model.mesh.renumberNodes(tags.tolist(), (tags * 7 + 1000).tolist())
+        for file in files:
+            for name, value in file.options:
+                gmsh.option.setNumber(name, value)
+            gmsh.write(str(file.path))
+        return _told(gmsh)
     finally:
         gmsh.finalize()
+
+
+def _told(gmsh: Any) -> Made:
+    tags, points, _ = gmsh.model.mesh.getNodes()
+    elements = {}
+    for kind in gmsh.model.mesh.getElementTypes():
+        numbers, nodes = gmsh.model.mesh.getElementsByType(kind)
+        elements[int(kind)] = np.asarray(nodes).reshape(len(numbers), -1)
+    return Made(elements, dict(zip(map(int, tags), np.reshape(points, (-1, 3)), strict=True)))

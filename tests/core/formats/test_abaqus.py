@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import gmsh
 import meshio
 import numpy as np
 import pytest
 
 from hexalab.errors import MeshReadError
 from hexalab.formats import read, read_bytes
-from tests.core.formats.gmsh_files import extruded
+from tests.core.formats.gmsh_files import File, make
 from tests.core.formats.samples import HEXAHEDRON, INP_CELLS, INP_NODES, Sample, check, grid, signed_volumes
 
 UNIT_CUBE = Sample(
@@ -81,8 +80,7 @@ def test_R5_files_of_meshio_and_gmsh(tmp_path: Path) -> None:
     sample = grid(3, 2, 2)
     meshio.write(tmp_path / "m.inp", meshio.Mesh(sample.points, [("hexahedron", sample.rows_of(HEXAHEDRON))]))
     check(read(tmp_path / "m.inp"), sample, 1e-15)
-    with extruded():
-        gmsh.write(str(tmp_path / "g.inp"))
+    make(File(tmp_path / "g.inp"))
     mesh = read(tmp_path / "g.inp")
     assert set(mesh.kind_counts) == {"hexahedron", "wedge"}
     assert (signed_volumes(mesh) > 0).all()

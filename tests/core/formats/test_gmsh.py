@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import gmsh
 import meshio
 import numpy as np
 import pytest
 
 from hexalab.errors import MeshReadError
 from hexalab.formats import read, read_bytes
-from tests.core.formats.gmsh_files import extruded
+from tests.core.formats.gmsh_files import File, make
 from tests.core.formats.samples import HEX_22, MESHIO_NAMES, Sample, check, grid, mixed, signed_volumes
 
 FROM_VTK = ([0, 1, 2, 3, 4, 5, 6, 7], [0, 2, 1, 3, 5, 4], [0, 1, 2, 3, 4], [0, 1, 2, 3])
@@ -24,15 +23,17 @@ def hexahedra_only() -> Sample:
 VERSIONS = [(2.2, 0), (2.2, 1), (4.1, 0), (4.1, 1)]
 
 
+def _form(version: float, binary: int) -> list[tuple[str, float]]:
+    return [("Mesh.MshFileVersion", version), ("Mesh.Binary", binary)]
+
+
 @pytest.mark.parametrize("order", [1, 2, 3])
 def test_R5_files_of_gmsh(tmp_path: Path, order: int) -> None:
-    with extruded(order=order, wedges=order < 3):
-        hexahedra = len(gmsh.model.mesh.getElementsByType({1: 5, 2: 12, 3: 92}[order])[0])
-        wedges = len(gmsh.model.mesh.getElementsByType({1: 6, 2: 13, 3: 90}[order])[0])
-        for version, binary in VERSIONS:
-            gmsh.option.setNumber("Mesh.MshFileVersion", version)
-            gmsh.option.setNumber("Mesh.Binary", binary)
-            gmsh.write(str(tmp_path / f"{version}_{binary}.msh"))
+    files = [
+        File(tmp_path / f"{version}_{binary}.msh", _form(version, binary)) for version, binary in VERSIONS
+    ]
+    made = make(*files, order=order, wedges=order < 3)
+    hexahedra, wedges = made.count({1: 5, 2: 12, 3: 92}[order]), made.count({1: 6, 2: 13, 3: 90}[order])
     assert hexahedra > 20
     for version, binary in VERSIONS:
         mesh = read(tmp_path / f"{version}_{binary}.msh")
@@ -49,16 +50,9 @@ def test_R5_files_of_gmsh(tmp_path: Path, order: int) -> None:
 
 @pytest.mark.parametrize(("version", "binary"), VERSIONS)
 def test_R5_gaps_in_numbers_and_physical_groups(tmp_path: Path, version: float, binary: int) -> None:
-    with extruded():
-        gmsh.option.setNumber("Mesh.SaveAll", 0)
-        tags, _, _ = gmsh.model.mesh.getNodes()
-        gmsh.model.mesh.renumberNodes(tags.tolist(), (tags * 7 + 1000).tolist())
-        gmsh.option.setNumber("Mesh.MshFileVersion", version)
-        gmsh.option.setNumber("Mesh.Binary", binary)
-        gmsh.write(str(tmp_path / "x.msh"))
-        wanted = gmsh.model.mesh.getElementsByType(5)[1].reshape(-1, 8)
-        tags, points, _ = gmsh.model.mesh.getNodes()
-        place = {int(tag): points[3 * i : 3 * i + 3] for i, tag in enumerate(tags)}
+    form = [("Mesh.SaveAll", 0.0), *_form(version, binary)]
+    made = make(File(tmp_path / "x.msh", form), gaps=True)
+    wanted, place = made.elements[5], made.points
     mesh = read(tmp_path / "x.msh")
     hexahedra = mesh.kinds == 0
     found = {tuple(row) for row in np.round(mesh.points[mesh.cells[hexahedra]].reshape(-1, 24), 9).tolist()}

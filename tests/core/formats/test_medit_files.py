@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import gmsh
 import meshio
 import numpy as np
 import pytest
 
 from hexalab.formats import read
-from tests.core.formats.gmsh_files import extruded
+from tests.core.formats.gmsh_files import File, make
 from tests.core.formats.samples import MESHIO_NAMES, Sample, check, grid, mixed, signed_volumes
 
 
@@ -35,11 +34,8 @@ def test_R1_R2_files_of_meshio(tmp_path: Path, ending: str, make) -> None:
 
 
 def test_R1_files_of_gmsh(tmp_path: Path) -> None:
-    with extruded(wedges=False):
-        gmsh.write(str(tmp_path / "m.mesh"))
-        wanted = gmsh.model.mesh.getElementsByType(5)[1].reshape(-1, 8)
-        _, points, _ = gmsh.model.mesh.getNodes()
+    made = make(File(tmp_path / "m.mesh"), wedges=False)
     mesh = read(tmp_path / "m.mesh")
-    assert mesh.cell_count == len(wanted) and mesh.vertex_count == len(points) // 3
+    assert mesh.cell_count == made.count(5) and mesh.vertex_count == len(made.points)
     np.testing.assert_allclose(signed_volumes(mesh).sum(), 1, rtol=1e-9)
     assert (signed_volumes(mesh) > 0).all()
