@@ -95,7 +95,7 @@ export class ObjectSpaceAO {
     const side = tileSide(this.#points.box, plates ? 3 * this.#edge : this.#edge, surface);
     if (this.#atlas?.side !== side) {
       this.#atlas?.dispose();
-      this.#atlas = new DepthAtlas(side, Math.min(4, ATLAS / side));
+      this.#atlas = new DepthAtlas(side, Math.min(4, Math.floor(ATLAS / side)));
     }
     this.#atlas.setGeometry(plates ? this.#plateGeometry(plates.corners) : this.#geometry);
   }
@@ -168,13 +168,13 @@ export class ObjectSpaceAO {
  * @param {Float64Array} box extent of the surface
  * @param {number} edge mean side of a face
  * @param {import("../scene/types.js").Surface} surface
- * @returns {number} a power of two
+ * @returns {number}
  */
 function tileSide(box, edge, { mode, faces }) {
   const extent = Math.hypot(box[3] - box[0], box[4] - box[1], box[5] - box[2]);
   const apart = mode === "fissure";
-  const wanted = 2 ** Math.ceil(Math.log2(((apart ? 24 : 3) * extent) / edge));
-  return Math.max(256, Math.min(wanted, apart && faces.length < 12000 ? 1024 : 512));
+  const wanted = 64 * Math.ceil(((apart ? 24 : 3) * extent) / edge / 64);
+  return Math.max(192, Math.min(wanted, apart && faces.length < 12000 ? 1024 : 512));
 }
 
 /**
