@@ -84,6 +84,18 @@ export class HexaLab {
     return this.#app.client.call("quality", [metric]);
   }
 
+  /**
+   * Draw and measure every mesh of an archive (SPEC B1).
+   *
+   * @param {Blob} archive a zip of meshes; `name.json` beside a mesh is its own status
+   * @param {any} [status] whole or partial, for all others; the present one without
+   * @param {{ width?: number, height?: number, report?: (done: number, of: number, name: string) => void }} [options]
+   * @returns {Promise<Blob>} a zip of pictures, histograms and measurements.csv
+   */
+  async batch(archive, status, options = {}) {
+    return this.#app.batch.run(await archive.arrayBuffer(), { ...options, status });
+  }
+
   /** What is drawn at the moment: faces, triangles, edges, cells, and how many frames so far. @returns {any} */
   drawn() {
     return { ...this.#app.scene.drawn(), frames: this.#app.scene.frames };
@@ -108,6 +120,7 @@ const METHODS = [
   "settled",
   "screenshot",
   "quality",
+  "batch",
   "drawn",
   "timings",
 ];

@@ -6,7 +6,10 @@ import { Messages } from "./app/messages.js";
 import { fromFile, fromUrl, Opening } from "./app/opening.js";
 import { Progress } from "./app/progress.js";
 import { Saving } from "./app/saving.js";
+import { Batch, meshesOf } from "./batch/batch.js";
+import { readZip } from "./batch/zip.js";
 import { Catalogue } from "./catalogue/catalogue.js";
+import { CoreError, Superseded } from "./core/client.js";
 import { readStatus } from "./png.js";
 
 /**
@@ -34,6 +37,7 @@ export class App {
     this.cells = new Cells(this);
     this.saving = new Saving(this);
     this.opening = new Opening(this);
+    this.batch = new Batch(this);
     facts.set({ core: "starting", tool: "turn", plane: 0, statistics: {}, timings: {} });
   }
 
@@ -116,6 +120,7 @@ export class App {
     for (const file of files) {
       const kind = kindOf(file);
       if (kind === "mesh") meshes.push(file);
+      else if (kind === "archive") return this.#openArchive(file);
       else status = (await this.#statusIn(file, kind)) ?? status;
     }
     if (meshes.length > 1)
@@ -131,6 +136,28 @@ export class App {
     }
     if (status) await this.#applied(status);
     return null;
+  }
+
+  /** The mesh in an archive; several are offered as a batch. @param {File} file @returns {Promise<any>} */
+  async #openArchive(file) {
+    try {
+      const buffer = await file.arrayBuffer();
+      const meshes = meshesOf(readZip(buffer), this.tables.formats);
+      if (!meshes.length) throw new Error("the archive holds no mesh");
+      if (meshes.length > 1)
+        return this.facts.set({ archive: { name: file.name, buffer, count: meshes.length } });
+      const [{ name, read }] = meshes;
+      return await this.opening.open({
+        name: name.split("/").pop() ?? name,
+        bytes: async () => (await read()).buffer,
+      });
+    } catch (error) {
+      if (error instanceof Superseded || error instanceof CoreError) throw error;
+      this.messages.say("error", `${file.name}: ${error instanceof Error ? error.message : error}`, {
+        topic: "open",
+      });
+      return null;
+    }
   }
 
   /** @param {any} status */
@@ -217,10 +244,11 @@ export class App {
   }
 }
 
-/** What a file is: settings, a picture that may carry them, or a mesh. @param {File} file @returns {"status" | "picture" | "mesh"} */
+/** What a file is: settings, a picture that may carry them, an archive, or a mesh. @param {File} file @returns {"status" | "picture" | "archive" | "mesh"} */
 function kindOf(file) {
   if (/\.(json|txt)$/i.test(file.name)) return "status";
   if (/\.png$/i.test(file.name)) return "picture";
+  if (/\.zip$/i.test(file.name)) return "archive";
   return "mesh";
 }
 

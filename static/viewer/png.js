@@ -74,7 +74,7 @@ function textChunk(text) {
 }
 
 /** The PNG specification's cyclic redundancy code (annex D). @param {Uint8Array} bytes */
-function crc32(bytes) {
+export function crc32(bytes) {
   let crc = 0xffffffff;
   for (const byte of bytes) {
     crc ^= byte;

@@ -38,6 +38,11 @@ export class Measures {
     this.#app.note({ topology });
   }
 
+  /** Resolves when statistics and histogram are those of the open mesh. */
+  measured() {
+    return this.#measure();
+  }
+
   /** Statistics and histogram of the metric or attribute that is looked at. */
   async #measure() {
     const { facts, store, client } = this.#app;

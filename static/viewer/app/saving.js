@@ -48,19 +48,18 @@ export class Saving {
 
   /** @param {"png" | "svg" | "csv"} format */
   async saveHistogram(format) {
-    const data = this.#app.facts.get("histogram");
-    if (!data) return;
-    await this.#tried(async () =>
-      saveFile(
-        await this.#histogram(format, data),
-        `${this.stem}-${data.source.replace(/[^\w-]+/g, "-")}.${format}`,
-      ),
-    );
+    await this.#tried(async () => {
+      const blob = await this.histogram(format);
+      const source = this.#app.facts.get("histogram")?.source ?? "";
+      if (blob) saveFile(blob, `${this.stem}-${source.replace(/[^\w-]+/g, "-")}.${format}`);
+    });
   }
 
-  /** @param {"png" | "svg" | "csv"} format @param {any} data */
-  async #histogram(format, data) {
+  /** The histogram as a file; a PNG carries the status. @param {"png" | "svg" | "csv"} format @returns {Promise<Blob | null>} */
+  async histogram(format) {
     const { store, facts } = this.#app;
+    const data = facts.get("histogram");
+    if (!data) return null;
     if (format === "csv") return new Blob([toCsv(data)], { type: "text/csv" });
     const source = qualitySource(this.#app);
     const { orientation, scale } = store.status.histogram;

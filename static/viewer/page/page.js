@@ -7,6 +7,7 @@ import { structure } from "../panels/structure.js";
 import { surroundings } from "../panels/surroundings.js";
 import { renderSection } from "../widgets/section.js";
 import { bar } from "./bar.js";
+import { batchDialog } from "../dialogs/batch.js";
 import { helpDialog } from "../dialogs/help.js";
 import { imageDialog } from "../dialogs/image.js";
 import { shareDialog } from "../dialogs/share.js";
@@ -25,6 +26,7 @@ export class Page {
   /** @param {import("../widgets/bind.js").Context} context @param {HTMLCanvasElement} canvas */
   constructor(context, canvas) {
     this.dialogs = {
+      batch: batchDialog(context),
       help: helpDialog(context),
       image: imageDialog(context, canvas),
       share: shareDialog(context),

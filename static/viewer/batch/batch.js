@@ -1,0 +1,135 @@
+import { CoreError, Superseded } from "../core/client.js";
+import { readZip, writeZip } from "./zip.js";
+
+/**
+ * A zip of meshes in, a zip of pictures, histograms and measurements out (SPEC B1). All are drawn under one status, or
+ * under the one beside the mesh (`name.json` or `name.txt`). A mesh that fails is told in the table; the rest goes on.
+ *
+ * @typedef {import("./zip.js").Entry} Entry
+ * @typedef {{ width?: number, height?: number, status?: any, signal?: AbortSignal,
+ *   report?: (done: number, of: number, name: string) => void }} Options
+ * @typedef {Record<string, string | number>} Row
+ */
+
+const STATISTICS = ["min", "max", "mean", "median", "variance", "not_finite", "outside_acceptable"];
+
+/** @param {Entry[]} entries @param {readonly { extensions: readonly string[] }[]} formats @returns {Entry[]} the meshes among them */
+export function meshesOf(entries, formats) {
+  const extensions = formats.flatMap((format) => format.extensions);
+  return entries.filter(({ name }) => {
+    const file = name.split("/").pop() ?? "";
+    const plain = file.toLowerCase().replace(/\.gz$/, "");
+    return (
+      !file.startsWith(".") && !name.startsWith("__MACOSX/") && extensions.some((end) => plain.endsWith(end))
+    );
+  });
+}
+
+/** A name without the extensions of a mesh. @param {string} name */
+export function stemOf(name) {
+  return name.replace(/\.gz$/i, "").replace(/\.[^./]+$/, "");
+}
+
+/** The table as CSV (RFC 4180), all columns that any row has. @param {readonly Row[]} rows */
+export function toCsv(rows) {
+  const columns = [...new Set(rows.flatMap((row) => Object.keys(row)))];
+  const cell = (/** @type {string | number | undefined} */ value) => {
+    const text = String(value ?? "");
+    return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+  };
+  return [columns, ...rows.map((row) => columns.map((column) => row[column]))]
+    .map((line) => `${line.map(cell).join(",")}\r\n`)
+    .join("");
+}
+
+export class Batch {
+  #app;
+
+  /** @param {any} app */
+  constructor(app) {
+    this.#app = app;
+  }
+
+  /**
+   * @param {ArrayBuffer} archive
+   * @param {Options} [options]
+   * @returns {Promise<Blob>} a zip: NAME.png and NAME-METRIC.png for each mesh, measurements.csv
+   */
+  async run(archive, { width, height, status, signal, report } = {}) {
+    const entries = readZip(archive);
+    const meshes = meshesOf(entries, this.#app.tables.formats);
+    if (!meshes.length) throw new Error("the archive holds no mesh");
+    const common = status ?? this.#app.store.status;
+    const files = [];
+    const rows = [];
+    for (const [index, mesh] of meshes.entries()) {
+      signal?.throwIfAborted();
+      report?.(index, meshes.length, mesh.name);
+      const { row, made } = await this.#one(mesh, entries, common, { width, height });
+      rows.push(row);
+      files.push(...made);
+    }
+    report?.(meshes.length, meshes.length, "");
+    files.push({ name: "measurements.csv", bytes: new TextEncoder().encode(toCsv(rows)) });
+    return writeZip(files);
+  }
+
+  /** @param {Entry} mesh @param {Entry[]} entries @param {any} common @param {{ width?: number, height?: number }} size */
+  async #one(mesh, entries, common, size) {
+    const stem = stemOf(mesh.name);
+    try {
+      const own = entries.find(({ name }) => name === `${stem}.json` || name === `${stem}.txt`);
+      const status = own ? JSON.parse(new TextDecoder().decode(await own.read())) : common;
+      const { buffer } = await mesh.read();
+      const summary = await this.#open(mesh.name, buffer, status);
+      const made = [{ name: `${stem}.png`, bytes: await bytesOf(await this.#app.saving.picture(size)) }];
+      await this.#app.measures.measured();
+      const histogram = await this.#app.saving.histogram("png");
+      if (histogram)
+        made.push({
+          name: `${stem}-${this.#app.facts.get("histogram").source.replace(/[^\w-]+/g, "-")}.png`,
+          bytes: await bytesOf(histogram),
+        });
+      return { row: { ...rowOf(mesh.name, summary), ...(await this.#measure()) }, made };
+    } catch (error) {
+      if (error instanceof Superseded)
+        throw new Error("the batch was stopped: another mesh was opened", { cause: error });
+      if (error instanceof CoreError && error.kind === "WorkerError") throw error;
+      return {
+        row: { name: mesh.name, problem: error instanceof Error ? error.message : String(error) },
+        made: [],
+      };
+    }
+  }
+
+  /** @param {string} name @param {ArrayBuffer} bytes @param {any} status */
+  async #open(name, bytes, status) {
+    const { opening, drawing, messages } = this.#app;
+    const file = name.split("/").pop() ?? name;
+    const summary = await opening.open({ name: file, bytes: async () => bytes.slice(0), status });
+    messages.settle("offer");
+    await drawing.drawn();
+    return summary;
+  }
+
+  /** Statistics of every metric, a column for each. @returns {Promise<Row>} */
+  async #measure() {
+    /** @type {Row} */
+    const row = {};
+    for (const { id } of this.#app.tables.metrics) {
+      const statistics = await this.#app.client.call("quality", [id]);
+      for (const name of STATISTICS) row[`${id}_${name}`] = statistics[name] ?? "";
+    }
+    return row;
+  }
+}
+
+/** @param {string} name @param {any} summary @returns {Row} */
+function rowOf(name, { vertices, cells, boundary_faces }) {
+  return { name, problem: "", vertices, cells, boundary_faces };
+}
+
+/** @param {Blob} blob */
+async function bytesOf(blob) {
+  return new Uint8Array(await blob.arrayBuffer());
+}

@@ -1,0 +1,69 @@
+"""A zip of meshes in, a zip of pictures, histograms and measurements out (SPEC B1)."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+from playwright.sync_api import Page
+
+import hexalab
+
+from . import ui
+from .conftest import grid
+
+
+@pytest.fixture
+def archive(tmp_path: Path) -> Path:
+    """Two meshes, one with a status of its own, one file that is no mesh, and one to be left alone."""
+    file = tmp_path / "meshes.zip"
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as pack:
+        for name, sides in (("box.mesh", (3, 3, 3)), ("deep/bar.vtk", (4, 1, 1))):
+            hexalab.write(grid(*sides, noise=0.1), tmp_path / Path(name).name)
+            pack.write(tmp_path / Path(name).name, name)
+        pack.writestr("deep/bar.json", json.dumps({"background": "#102030", "lighting": {"mode": "none"}}))
+        pack.writestr("broken.vtk", "nonsense")
+        pack.writestr("__MACOSX/box.mesh", "nonsense")
+    return file
+
+
+def test_B1_a_dropped_zip_gives_pictures_histograms_and_measurements(viewer: Page, archive: Path) -> None:
+    ui.set_status(viewer, {"background": "#ff0000", "lighting": {"mode": "none"}, "silhouette": 0})
+    viewer.locator("#file").set_input_files(archive)
+    ui.until(lambda: viewer.locator("#batch").is_visible())
+    assert "3 meshes in meshes.zip" in viewer.locator("#batch").inner_text()
+    for side, pixels in (("Width", "120"), ("Height", "80")):
+        viewer.locator("#batch").get_by_label(side).fill(pixels)
+        viewer.locator("#batch").get_by_label(side).press("Enter")
+    with viewer.expect_download(timeout=120_000) as waiting:
+        viewer.locator("#batch").get_by_role("button", name="Start").click()
+    assert waiting.value.suggested_filename == "meshes-hexalab.zip"
+    made = zipfile.ZipFile(Path(waiting.value.path()))
+    names = {"box.png", "box-scaled_jacobian.png", "deep/bar.png", "deep/bar-scaled_jacobian.png"}
+    assert set(made.namelist()) == names | {"measurements.csv"}
+    for name, colour in (("box.png", (255, 0, 0)), ("deep/bar.png", (16, 32, 48))):
+        picture = Image.open(io.BytesIO(made.read(name)))
+        assert picture.size == (120, 80)
+        assert picture.convert("RGB").getpixel((0, 0)) == colour
+        assert b"iTXthexalab" in made.read(name)
+    rows = {row["name"]: row for row in csv.DictReader(io.StringIO(made.read("measurements.csv").decode()))}
+    assert set(rows) == {"box.mesh", "deep/bar.vtk", "broken.vtk"}
+    assert "vtk DataFile" in rows["broken.vtk"]["problem"]
+    values = hexalab.quality(grid(3, 3, 3, noise=0.1), "scaled_jacobian")
+    assert float(rows["box.mesh"]["scaled_jacobian_min"]) == pytest.approx(values.min(), rel=1e-9)
+    assert float(rows["box.mesh"]["scaled_jacobian_mean"]) == pytest.approx(np.mean(values), rel=1e-9)
+    assert rows["box.mesh"]["cells"] == "27"
+
+
+def test_R6_a_zip_of_one_mesh_opens(viewer: Page, tmp_path: Path) -> None:
+    hexalab.write(grid(2, 2, 2), tmp_path / "single.mesh")
+    with zipfile.ZipFile(tmp_path / "single.zip", "w", zipfile.ZIP_DEFLATED) as pack:
+        pack.write(tmp_path / "single.mesh", "folder/single.mesh")
+    viewer.locator("#file").set_input_files(tmp_path / "single.zip")
+    ui.until(lambda: ui.summary(viewer).get("name") == "single.mesh" and ui.shown(viewer) == 8)

@@ -1,0 +1,35 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { meshesOf, stemOf, toCsv } from "../../../static/viewer/batch/batch.js";
+
+const FORMATS = [{ extensions: [".mesh"] }, { extensions: [".vtk"] }];
+
+test("B1: meshes are told by their extension, gzipped or not; hidden files are left alone", () => {
+  const names = [
+    "a.mesh",
+    "deep/B.VTK",
+    "c.mesh.gz",
+    "a.json",
+    ".hidden.mesh",
+    "__MACOSX/a.mesh",
+    "meshes.txt",
+  ];
+  const entries = names.map((name) => ({ name, read: async () => new Uint8Array() }));
+  assert.deepEqual(
+    meshesOf(entries, FORMATS).map(({ name }) => name),
+    ["a.mesh", "deep/B.VTK", "c.mesh.gz"],
+  );
+});
+
+test("B1: what stands beside a mesh has its name without the extension", () => {
+  assert.equal(stemOf("deep/part.v2.mesh"), "deep/part.v2");
+  assert.equal(stemOf("a.vtk.gz"), "a");
+});
+
+test("B1: the table has every column that any row has, and quotes what needs it", () => {
+  const rows = [
+    { name: 'a "b", c', cells: 3 },
+    { name: "d", problem: "line 1:\nfound" },
+  ];
+  assert.equal(toCsv(rows), 'name,cells,problem\r\n"a ""b"", c",3,\r\nd,,"line 1:\nfound"\r\n');
+});
