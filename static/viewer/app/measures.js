@@ -22,20 +22,25 @@ export class Measures {
   filled = Promise.resolve();
 
   /** Everything about a mesh that was just opened, part by part, so that a slice need not wait for the whole. */
-  async fill() {
+  fill() {
+    this.filled = this.#fill();
+    return this.filled;
+  }
+
+  async #fill() {
     const { facts, drawing, client } = this.#app;
     await this.#measure();
     const summary = facts.get("summary");
-    let topology = 0;
+    let describe = 0;
     for (const part of PARTS) {
       const found = await this.#ask("describe", [part], "describe");
       if (!found || facts.get("summary") !== summary) return;
-      topology += client.milliseconds?.describe ?? 0;
+      describe += client.milliseconds?.describe ?? 0;
       facts.set({ description: { ...facts.get("description"), ...found } });
       if (found.cells_per_depth) facts.set({ layers: found.cells_per_depth.length });
       if (part === "edges") await drawing.update({});
     }
-    this.#app.note({ topology });
+    this.#app.note({ describe });
   }
 
   /** Resolves when statistics and histogram are those of the open mesh. */
