@@ -97,14 +97,6 @@ float faceOpenness() {
   return mix(mix(vCorners.x, vCorners.y, vPlace.x), mix(vCorners.w, vCorners.z, vPlace.x), vPlace.y);
 }
 
-// Light reflected to and fro in a crease brightens pale colours more than deep ones (Jimenez et al. 2016, section 4.1).
-vec3 bounced(float open, vec3 colour) {
-  vec3 a = 2.0404 * colour - 0.3324;
-  vec3 b = -4.7951 * colour + 0.6417;
-  vec3 c = 2.7552 * colour + 0.6903;
-  return max(vec3(open), ((open * a + b) * open + c) * open);
-}
-
 void main() {
   vec3 light = vec3(1.0);
   float facing = abs(dot(normalize(vNormal), normalize(vView)));
@@ -117,7 +109,7 @@ void main() {
       open = mix(open, screen, screenShare);
     }
     if (occlusionShare > 0.0) open = mix(open, faceOpenness(), occlusionShare);
-    light = vec3(open * mix(0.82, 1.0, facing));
+    light = vec3(open * mix(0.85, 1.0, facing));
   }
   pixel = vec4(vColour * light, 1.0);
 }
