@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from playwright.sync_api import Browser, Page
 
@@ -87,6 +88,7 @@ def test_V8_nothing_is_wider_than_the_window(mesh: Page, width: int) -> None:
     canvas = mesh.locator("#canvas").bounding_box()
     assert canvas
     assert canvas["height"] > 250
+    assert mesh.evaluate("() => document.scrollingElement.scrollHeight") <= 740
     if width < 720:
         rows = mesh.locator(".row:visible").evaluate_all("rows => rows.map((row) => row.offsetHeight)")
         assert min(rows) >= 44, "rows are as high as a thumb"
@@ -157,6 +159,22 @@ def test_V6_a_drag_on_the_picture_turns_it_and_is_one_step_of_undo(mesh: Page) -
     ui.until(lambda: ui.status(mesh)["camera"]["direction"] != before["direction"])
     mesh.keyboard.press("Control+z")
     assert ui.status(mesh)["camera"] == before
+
+
+def test_R9_a_finding_shows_its_cells(mesh: Page, site: str, shelf: Path) -> None:
+    broken = grid(4, 4, 4)
+    points = broken.points.copy()
+    inner = int(np.flatnonzero((points == [2, 2, 2]).all(axis=1))[0])
+    points[inner] = [0.2, 0.2, 0.2]
+    bad = hexalab.Mesh.from_cells(points, broken.cells)
+    ui.open_mesh(mesh, site, shelf, bad, "broken.mesh")
+    finding = next(one for one in hexalab.diagnose(bad) if len(one.cells))
+    mesh.get_by_role("button", name=f"Show: {finding.message}").click()
+    ui.until(lambda: ui.shown(mesh) == len(finding.cells))
+    assert ui.status(mesh)["filters"]["picking"]["shown"] == sorted(finding.cells.tolist())
+    mesh.keyboard.press("Control+z")
+    ui.until(lambda: ui.shown(mesh) == 64)
+    ui.open_mesh(mesh, site, shelf, MESH, "page.mesh")
 
 
 def test_a_fold_is_remembered(mesh: Page) -> None:
