@@ -27,15 +27,9 @@ def viewer_tables() -> dict[str, Any]:
             }
             for metric in METRICS.values()
         ],
-        "formats": [
-            {"id": one.id, "name": one.name, "extensions": list(one.extensions)} for one in _formats()
-        ],
+        "formats": [{"id": one.id, "name": one.name, "extensions": list(one.extensions)} for one in FORMATS],
     }
 
 
 def _ends(ends: tuple[float, float]) -> list[float | None]:
     return [end if math.isfinite(end) else None for end in ends]
-
-
-def _formats() -> list[Any]:
-    return list(FORMATS.values()) if isinstance(FORMATS, dict) else list(FORMATS)
