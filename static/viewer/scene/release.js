@@ -10,7 +10,8 @@ export function release(root) {
   root.traverse((each) => {
     if (!(each instanceof Mesh)) return;
     each.geometry.dispose();
-    for (const { value } of Object.values(each.material.uniforms)) if (value instanceof Texture) value.dispose();
+    for (const { value } of Object.values(each.material.uniforms))
+      if (value instanceof Texture) value.dispose();
     each.material.dispose();
   });
 }

@@ -1,25 +1,15 @@
 import { Vector3 } from "three";
 import { Lighting } from "../lighting/lighting.js";
 import { CameraRig } from "./camera_rig.js";
-import { CellColours } from "./cell_colours.js";
 import { Emitter } from "./emitter.js";
 import { FrameLoop } from "./frame_loop.js";
-import { Gizmo } from "./gizmo.js";
-import { HighlightLayer } from "./highlight_layer.js";
-import { IrregularLayer } from "./irregular_layer.js";
-import { LinesLayer } from "./lines_layer.js";
+import { Layers } from "./layers.js";
 import { Painter } from "./painter.js";
 import { Picker } from "./picker.js";
 import { planeExtent } from "./plane_extent.js";
-import { PlaneLayer } from "./plane_layer.js";
 import { release } from "./release.js";
 import { takePicture } from "./screenshot.js";
-import { SilhouetteLayer } from "./silhouette_layer.js";
-import { SurfaceLayer } from "./surface_layer.js";
 import { Trackball } from "./trackball.js";
-
-/** Ink of a surface edge by the number of shown cells around it: darkness-coded edges. Row 0: all alike. */
-const EDGE_STYLES = [1, 0.3, 0.65, 1].map((ink) => ({ colour: "#000000", ink }));
 
 /** Milliseconds after the last change during which the user counts as busy. */
 const BUSY = 160;
@@ -45,22 +35,13 @@ export class Scene {
   #trackball;
   #lighting;
   #picker;
-  #colours = new CellColours();
-  #surface;
-  #edges = new LinesLayer(EDGE_STYLES, { fade: true });
-  #silhouette = new SilhouetteLayer();
-  #irregular = new IrregularLayer();
-  #plane = new PlaneLayer();
-  #highlight = new HighlightLayer();
-  #gizmo = new Gizmo();
+  #layers;
   #pixelRatio = 1;
   #size = { width: 1, height: 1 };
   #changed = 0;
   #abort = new AbortController();
   /** @type {import("./types.js").MeshFrame} */
   #mesh = { cells: 0 };
-  /** @type {string[]} */
-  #status = [];
   /** @type {(() => void)[]} */
   #waiting = [];
 
@@ -68,13 +49,9 @@ export class Scene {
   constructor(canvas) {
     this.#canvas = canvas;
     this.#painter = new Painter(canvas);
-    this.#surface = new SurfaceLayer(this.#colours);
-    this.#lighting = new Lighting(this.#painter.renderer, this.#surface);
+    this.#layers = new Layers(this.#painter);
+    this.#lighting = new Lighting(this.#painter.renderer, this.#layers.surface);
     this.#picker = new Picker(this.#painter.renderer);
-    this.#painter.backdrop.add(this.#silhouette.group);
-    this.#painter.model.add(this.#surface.mesh);
-    this.#painter.ink.add(this.#edges.mesh, this.#irregular.group);
-    this.#painter.overlay.add(this.#plane.group, this.#highlight.group);
     this.#loop = new FrameLoop(
       () => this.#draw(),
       (now) => this.#lighting.step(this.#trackball.active || now - this.#changed < BUSY),
@@ -119,16 +96,14 @@ export class Scene {
     this.setSilhouette(null);
     this.setIrregular(null);
     this.setCellColours(null);
-    this.#plane.set(null, 0, 1);
+    this.#layers.plane.set(null, 0, 1);
   }
 
   /** @param {import("./types.js").Surface | null} surface */
   setSurface(surface) {
     const started = performance.now();
-    this.#surface.set(surface);
-    this.#edges.set(surface?.edges ?? new Float32Array(0), surface?.edge_cells ?? null);
+    this.#layers.setSurface(surface);
     this.#picker.set(surface);
-    this.#highlight.set(surface, null);
     this.#lighting.restart();
     this.timings.upload = performance.now() - started;
     this.#touch();
@@ -136,20 +111,19 @@ export class Scene {
 
   /** @param {import("./types.js").Silhouette | null} silhouette */
   setSilhouette(silhouette) {
-    this.#silhouette.set(silhouette);
+    this.#layers.silhouette.set(silhouette);
     this.#loop.invalidate();
   }
 
   /** @param {import("./types.js").Irregular | null} irregular */
   setIrregular(irregular) {
-    this.#irregular.set(irregular);
+    this.#layers.irregular.set(irregular);
     this.#loop.invalidate();
   }
 
   /** @param {Float32Array | null} positions in the colour map, one per cell */
   setCellColours(positions) {
-    this.#colours.setPositions(positions);
-    this.#surface.uniforms.cellValues.value = this.#colours.values;
+    this.#layers.setCellColours(positions);
     this.#loop.invalidate();
   }
 
@@ -159,26 +133,9 @@ export class Scene {
    * @param {import("./types.js").SceneStatus} status
    */
   setStatus(status) {
-    const { camera, colour, separation, silhouette, irregular, lighting, background } = status;
-    const moved = camera !== undefined && this.#rig.set(camera);
-    const looks = [colour, separation, silhouette, irregular, lighting, background].map(
-      (part) => JSON.stringify(part) ?? "",
-    );
-    const same = looks.every((look, k) => look === "" || look === this.#status[k]);
-    if (moved) this.#touch();
-    if (same) return;
-    this.#status = looks.map((look, k) => look || this.#status[k]);
-    if (background) this.#painter.background = background;
-    if (colour) {
-      this.#surface.setColour(colour);
-      if (colour.by === "kind" || colour.map)
-        this.#colours.setMap(colour.by === "kind" ? "kind" : String(colour.map));
-    }
-    if (separation?.line_opacity !== undefined) this.#edges.opacity = separation.line_opacity;
-    if (separation?.line_width !== undefined) this.#edges.width = separation.line_width;
-    if (silhouette !== undefined) this.#silhouette.strength = silhouette;
-    if (irregular) this.#irregular.setMode(irregular.mode ?? 1, irregular.boundary ?? false);
-    if (lighting?.mode) this.#lighting.mode = lighting.mode;
+    if (status.camera && this.#rig.set(status.camera)) this.#touch();
+    if (!this.#layers.look(status)) return;
+    if (status.lighting?.mode) this.#lighting.mode = status.lighting.mode;
     this.#loop.invalidate();
   }
 
@@ -203,8 +160,8 @@ export class Scene {
    */
   pick(x, y) {
     const row = this.#rowAt(x, y);
-    if (row < 0 || !this.#surface.surface) return null;
-    const face = this.#surface.surface.faces[row];
+    if (row < 0 || !this.#layers.surface.surface) return null;
+    const face = this.#layers.surface.surface.faces[row];
     return { face, cell: face >>> 3, localFace: face & 7 };
   }
 
@@ -219,15 +176,15 @@ export class Scene {
 
   /** @param {number | null} face tag of the face to highlight */
   highlight(face) {
-    if (this.#highlight.set(this.#surface.surface, face)) this.#loop.invalidate();
+    if (this.#layers.highlight.set(this.#layers.surface.surface, face)) this.#loop.invalidate();
   }
 
   /** @param {import("./types.js").Plane | null} plane */
   showPlane(plane) {
-    if (!plane) this.#plane.set(null, 0, 1);
+    if (!plane) this.#layers.plane.set(null, 0, 1);
     else {
       const [low, high] = plane.extent ?? planeExtent(this.#mesh, plane.normal);
-      this.#plane.set(plane.normal, low + plane.offset * (high - low), 1);
+      this.#layers.plane.set(plane.normal, low + plane.offset * (high - low), 1);
     }
     this.#loop.invalidate();
   }
@@ -270,12 +227,12 @@ export class Scene {
 
   /** What is drawn. @returns {{ faces: number, triangles: number, edges: number, cells: number }} */
   drawn() {
-    const surface = this.#surface.surface;
+    const surface = this.#layers.surface.surface;
     if (!surface) return { faces: 0, triangles: 0, edges: 0, cells: 0 };
     return {
       faces: surface.faces.length,
       triangles: 2 * surface.faces.length,
-      edges: this.#edges.count,
+      edges: this.#layers.edges.count,
       cells: new Set(surface.cells).size,
     };
   }
@@ -324,9 +281,7 @@ export class Scene {
   #prepare(width, height, whole, pixelRatio) {
     const perspective = this.#rig.projection === "perspective";
     const pixel = (2 * this.#rig.halfHeight) / whole / (perspective ? this.#rig.distance : 1);
-    const view = { width, height, pixelRatio, pixel };
-    this.#edges.mesh.visible = this.#edges.count > 0;
-    for (const layer of [this.#edges, this.#irregular, this.#plane, this.#highlight]) layer.view(view);
+    this.#layers.view({ width, height, pixelRatio, pixel });
     this.#lighting.prepare(this.#rig.camera, { width, height, perUnit: 1 / pixel });
   }
 
@@ -337,7 +292,7 @@ export class Scene {
     this.#prepare(width, height, height, this.#pixelRatio);
     this.#painter.paint(this.#rig.camera, null);
     this.#painter.corner((renderer) =>
-      this.#gizmo.draw(renderer, this.#rig.orientation, width, this.#pixelRatio),
+      this.#layers.gizmo.draw(renderer, this.#rig.orientation, width, this.#pixelRatio),
     );
     this.timings.frame = performance.now() - started;
     if (!this.#lighting.settled) return;
@@ -350,8 +305,8 @@ export class Scene {
     event.preventDefault();
     this.#loop.stopped = true;
     this.#lighting.forget();
-    const { backdrop, model, ink, overlay } = this.#painter;
-    for (const root of [backdrop, model, ink, overlay, this.#gizmo.scene, this.#picker.scene]) release(root);
+    this.#layers.forget();
+    release(this.#picker.scene);
     this.#events.emit("contextlost");
   }
 
@@ -364,20 +319,10 @@ export class Scene {
     this.#loop.stopped = true;
     this.#abort.abort();
     this.#trackball.dispose();
-    for (const layer of [
-      this.#surface,
-      this.#edges,
-      this.#silhouette,
-      this.#irregular,
-      this.#plane,
-      this.#highlight,
-    ]) {
-      layer.dispose();
-    }
-    this.#gizmo.dispose();
+    this.#trackball.dispose();
+    this.#layers.dispose();
     this.#picker.dispose();
     this.#lighting.dispose();
-    this.#colours.dispose();
     this.#painter.dispose();
     this.#events.clear();
   }

@@ -1,0 +1,108 @@
+import { CellColours } from "./cell_colours.js";
+import { Gizmo } from "./gizmo.js";
+import { HighlightLayer } from "./highlight_layer.js";
+import { IrregularLayer } from "./irregular_layer.js";
+import { LinesLayer } from "./lines_layer.js";
+import { PlaneLayer } from "./plane_layer.js";
+import { release } from "./release.js";
+import { SilhouetteLayer } from "./silhouette_layer.js";
+import { SurfaceLayer } from "./surface_layer.js";
+
+/** Ink of a surface edge by the number of shown cells around it: darkness-coded edges. Row 0: all alike. */
+const EDGE_STYLES = [1, 0.3, 0.65, 1].map((ink) => ({ colour: "#000000", ink }));
+
+/** Parts of the status that change how the layers look. */
+const LOOKS = /** @type {const} */ ([
+  "colour",
+  "separation",
+  "silhouette",
+  "irregular",
+  "lighting",
+  "background",
+]);
+
+/**
+ * All that is drawn, in the painter's four storeys, and how the status makes it look.
+ */
+export class Layers {
+  colours = new CellColours();
+  surface = new SurfaceLayer(this.colours);
+  edges = new LinesLayer(EDGE_STYLES, { fade: true });
+  silhouette = new SilhouetteLayer();
+  irregular = new IrregularLayer();
+  plane = new PlaneLayer();
+  highlight = new HighlightLayer();
+  gizmo = new Gizmo();
+  #painter;
+  /** @type {Map<string, string>} */
+  #looks = new Map();
+
+  /** @param {import("./painter.js").Painter} painter */
+  constructor(painter) {
+    this.#painter = painter;
+    painter.backdrop.add(this.silhouette.group);
+    painter.model.add(this.surface.mesh);
+    painter.ink.add(this.edges.mesh, this.irregular.group);
+    painter.overlay.add(this.plane.group, this.highlight.group);
+  }
+
+  /** @param {import("./types.js").Surface | null} surface */
+  setSurface(surface) {
+    this.surface.set(surface);
+    this.edges.set(surface?.edges ?? new Float32Array(0), surface?.edge_cells ?? null);
+    this.edges.mesh.visible = this.edges.count > 0;
+    this.highlight.set(surface, null);
+  }
+
+  /** @param {Float32Array | null} positions */
+  setCellColours(positions) {
+    this.colours.setPositions(positions);
+    this.surface.uniforms.cellValues.value = this.colours.values;
+  }
+
+  /**
+   * Takes on the looks that a status holds.
+   *
+   * @param {import("./types.js").SceneStatus} status
+   * @returns {boolean} whether any is new
+   */
+  look(status) {
+    let changed = false;
+    for (const part of LOOKS) {
+      const look = JSON.stringify(status[part]);
+      if (look === undefined || look === this.#looks.get(part)) continue;
+      this.#looks.set(part, look);
+      changed = true;
+    }
+    if (!changed) return false;
+    const { colour, separation, silhouette, irregular, background } = status;
+    if (background) this.#painter.background = background;
+    if (colour) {
+      this.surface.setColour(colour);
+      if (colour.by === "kind") this.colours.setMap("kind");
+      else if (colour.map) this.colours.setMap(colour.map);
+    }
+    if (separation?.line_opacity !== undefined) this.edges.opacity = separation.line_opacity;
+    if (separation?.line_width !== undefined) this.edges.width = separation.line_width;
+    if (silhouette !== undefined) this.silhouette.strength = silhouette;
+    if (irregular) this.irregular.setMode(irregular.mode ?? 1, irregular.boundary ?? false);
+    return true;
+  }
+
+  /** @param {Parameters<LinesLayer["view"]>[0]} view */
+  view(view) {
+    for (const layer of [this.edges, this.irregular, this.plane, this.highlight]) layer.view(view);
+  }
+
+  /** The context is lost: gives up what lay in it. */
+  forget() {
+    const { backdrop, model, ink, overlay } = this.#painter;
+    for (const root of [backdrop, model, ink, overlay, this.gizmo.scene]) release(root);
+  }
+
+  dispose() {
+    const { surface, edges, silhouette, irregular, plane, highlight, gizmo, colours } = this;
+    for (const layer of [surface, edges, silhouette, irregular, plane, highlight, gizmo, colours])
+      layer.dispose();
+  }
+}
