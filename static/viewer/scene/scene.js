@@ -319,7 +319,6 @@ export class Scene {
     this.#loop.stopped = true;
     this.#abort.abort();
     this.#trackball.dispose();
-    this.#trackball.dispose();
     this.#layers.dispose();
     this.#picker.dispose();
     this.#lighting.dispose();
