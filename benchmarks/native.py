@@ -9,11 +9,11 @@ from typing import Any
 import meshio
 import numpy as np
 import vtk
-from hexalab.quality.validity import certify
 
 import hexalab
 from hexalab.filters.stack import FilterStack
 from hexalab.quality import METRICS
+from hexalab.quality.validity import certify
 from hexalab.session import Session
 
 from .clock import median_ms, table

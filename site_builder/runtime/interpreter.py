@@ -23,19 +23,21 @@ DISTRIBUTION = f"https://cdn.jsdelivr.net/pyodide/v{PYODIDE_VERSION}/full/"
 PLAIN_FILES = ("pyodide.mjs", "pyodide.asm.js", "pyodide.asm.wasm")
 
 NUMPY_LEFT_OUT = (
-    r"\.pyi$", r"\.pxd$", r"\.pyx$", r"\.h$", r"\.a$", r"\.c$", r"\.build$", r"\.in$", r"\.ini$", r"\.typed$", r"\.src$",
+    r"\.(pyi|pxd|pyx|h|a|c|build|in|ini|typed|src)$",
     r"^numpy/(f2py|random|testing|doc|core|compat|_pyinstaller|polynomial|distutils|fft)/",
-    r"/tests/", r"(^|/)conftest\.py$", r"\.dist-info/LICENSE.*", r"^numpy/_core/(_simd|_multiarray_tests|_umath_tests|_operand_flag_tests|_rational_tests|_struct_ufunc_tests)",
-)  # fmt: skip
+    r"/tests/",
+    r"(^|/)conftest\.py$",
+    r"\.dist-info/LICENSE.*",
+    r"^numpy/_core/_(simd|multiarray_tests|umath_tests|operand_flag_tests|rational_tests|struct_ufunc_tests)",
+)
 STDLIB_LEFT_OUT = (
-    r"^(idlelib|lib2to3|ensurepip|turtledemo|tkinter|curses|sqlite3|dbm|wsgiref|xmlrpc|venv|pydoc_data|unittest|test|"
-    r"distutils|asyncio/windows|multiprocessing|ctypes/macholib|concurrent/futures/process)",
-    r"^(turtle|doctest|pdb|imaplib|smtplib|ftplib|poplib|nntplib|telnetlib|mailbox|pickletools|optparse|cProfile|"
-    r"profile|pstats|trace|tracemalloc|webbrowser|antigravity|this|imghdr|sndhdr|sunau|aifc|chunk|wave|"
-    r"_pyrepl|tabnanny|pyclbr|pydoc|cgi|cgitb|mailcap|nturl2path|plistlib|netrc|statistics|socketserver)\.py$",
-    r"^_pyrepl/",
+    r"^(idlelib|lib2to3|ensurepip|turtledemo|tkinter|curses|sqlite3|dbm|wsgiref|xmlrpc|venv|pydoc_data|unittest)/",
+    r"^(test|distutils|multiprocessing|_pyrepl|ctypes/macholib|xml/sax|xml/dom)/",
+    r"^(asyncio/windows|concurrent/futures/process)",
+    r"^(turtle|doctest|pdb|imaplib|smtplib|ftplib|poplib|nntplib|telnetlib|mailbox|pickletools|optparse)\.py$",
+    r"^(cProfile|profile|pstats|trace|tracemalloc|webbrowser|antigravity|this|imghdr|sndhdr|sunau|aifc)\.py$",
+    r"^(chunk|wave|tabnanny|pyclbr|pydoc|cgi|cgitb|mailcap|nturl2path|plistlib|netrc|statistics|socketserver)\.py$",
     r"^encodings/(cp(?!437)|mac_|iso|big5|euc|gb|hz|johab|koi|kz|ptcp|shift|tis|hp_|palmos|uu_|quopri|bz2|rot_)",
-    r"^xml/(sax|dom)/",
 )
 
 
