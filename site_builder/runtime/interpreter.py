@@ -27,7 +27,6 @@ NUMPY_LEFT_OUT = (
     r"^numpy/(f2py|random|testing|doc|core|compat|_pyinstaller|polynomial|distutils|fft)/",
     r"/tests/",
     r"(^|/)conftest\.py$",
-    r"\.dist-info/LICENSE.*",
     r"^numpy/_core/_(simd|multiarray_tests|umath_tests|operand_flag_tests|rational_tests|struct_ufunc_tests)",
 )
 STDLIB_LEFT_OUT = (
