@@ -192,7 +192,12 @@ export class App {
   chooseSource(slug) {
     const source = this.facts.get("catalogue")?.source(slug) ?? null;
     this.facts.set({ source });
-    if (source?.meshes.length === 1) this.openEntry(slug, source.meshes[0].slug);
+    if (source?.meshes.length === 1) this.chooseEntry(slug, source.meshes[0].slug);
+  }
+
+  /** The same from a control: what goes wrong has been said in a message. @param {string} source @param {string} mesh @param {any} [status] */
+  chooseEntry(source, mesh, status) {
+    this.openEntry(source, mesh, status).catch(() => {});
   }
 
   /** Open a mesh of the catalogue. @param {string} source @param {string} mesh @param {any} [status] */
@@ -215,7 +220,7 @@ export class App {
   openBeside(step) {
     const entry = this.facts.get("entry");
     const next = entry && this.facts.get("catalogue")?.beside(entry, step);
-    if (next) this.openEntry(next.source.slug, next.mesh.slug).catch(() => {});
+    if (next) this.chooseEntry(next.source.slug, next.mesh.slug);
   }
 
   /** @param {number | null} cell */

@@ -54,7 +54,7 @@ export class Documents {
   #offer(mesh, document, catalogue) {
     const entry = catalogue?.identified(mesh);
     if (!entry) return;
-    const press = () => this.#app.openEntry(entry.source.slug, entry.mesh.slug, document);
+    const press = () => this.#app.chooseEntry(entry.source.slug, entry.mesh.slug, document);
     this.#app.messages.say("note", `These settings were made with ${entry.mesh.name} of the catalogue`, {
       topic: "offer",
       action: { name: "open it", press },

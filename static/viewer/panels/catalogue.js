@@ -20,7 +20,7 @@ export function catalogueChooser(context) {
   const meshes = h("select", {
     id: "catalogue-mesh",
     class: "choice",
-    onchange: () => app.openEntry(sources.value, meshes.value),
+    onchange: () => app.chooseEntry(sources.value, meshes.value),
   });
   const rows = [
     h(
