@@ -51,7 +51,19 @@ function toJavaScript(value, transfer) {
     default_converter: (/** @type {any} */ proxy) => leaf(proxy, transfer),
   });
   value.destroy();
-  return converted;
+  return withNulls(converted);
+}
+
+/**
+ * None as null, as JSON has it: Pyodide makes it undefined, which in a settings document would mean "not said".
+ * @param {any} value changed in place
+ * @returns {any}
+ */
+function withNulls(value) {
+  if (value === undefined) return null;
+  if (typeof value === "object" && value !== null && !ArrayBuffer.isView(value))
+    for (const key of Object.keys(value)) value[key] = withNulls(value[key]);
+  return value;
 }
 
 /**
