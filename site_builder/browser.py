@@ -29,11 +29,17 @@ def executable(playwright: Playwright) -> str:
     BrowserMissing
         If there is none.
     """
-    found = (os.environ.get("HEXALAB_CHROMIUM"), playwright.chromium.executable_path, *map(shutil.which, NAMES))
+    found = (
+        os.environ.get("HEXALAB_CHROMIUM"),
+        playwright.chromium.executable_path,
+        *map(shutil.which, NAMES),
+    )
     for path in found:
         if path and Path(path).is_file():
             return path
-    raise BrowserMissing("no Chromium found: run `playwright install chromium` or install the package chromium")
+    raise BrowserMissing(
+        "no Chromium found: run `playwright install chromium` or install the package chromium"
+    )
 
 
 def launch(playwright: Playwright) -> Browser:
