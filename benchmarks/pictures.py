@@ -2,8 +2,8 @@
 
 python -m benchmarks.pictures MESHES PICTURES OUT
 
-PICTURES holds PNGs that carry their settings, ours or the original's, and a README.md whose table names the mesh of each
-in MESHES: `| picture.png | mesh.vtk | ...`. OUT gets a PNG of the same name for each: the model left, ours right.
+PICTURES holds PNGs that carry their settings, ours or the original's, and a README.md whose table names the mesh of
+each in MESHES: `| picture.png | mesh.vtk | ...`. OUT gets a PNG of the same name: the model left, ours right.
 """
 
 from __future__ import annotations
