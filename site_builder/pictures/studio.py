@@ -50,8 +50,12 @@ class Studio(Renderer):
             raise RenderError(f"{shot.part} of the viewer can't be photographed: {error}") from None
 
 
+GIVE_UP = 3
+"""Pictures that may fail before the rest isn't tried any more."""
+
+
 def take_missing(shots: Sequence[Shot], site: Path, album: Album, tell: Progress) -> tuple[int, str]:
-    """Take the shots that the album lacks.
+    """Take the shots that the album lacks, those of large meshes last.
 
     Returns
     -------
@@ -60,7 +64,9 @@ def take_missing(shots: Sequence[Shot], site: Path, album: Album, tell: Progress
     trouble : str
         One line that says why some are missing still; "" if none is.
     """
-    wanted = list({shot.key: shot for shot in shots if shot.key and not album.picture(shot)}.values())
+    missing = {shot.key: shot for shot in shots if shot.key and not album.picture(shot)}
+    wanted = sorted(missing.values(), key=lambda shot: shot.mesh.cells or 0)
+    failed: list[str] = []
     taken = 0
     if not wanted:
         return 0, ""
@@ -69,8 +75,15 @@ def take_missing(shots: Sequence[Shot], site: Path, album: Album, tell: Progress
         with Studio(site) as studio:
             for number, shot in enumerate(wanted):
                 tell(f"picture of {shot.mesh.id}", number / len(wanted))
-                album.keep(shot, studio.take(shot))
-                taken += 1
+                try:
+                    album.keep(shot, studio.take(shot))
+                    taken += 1
+                except RenderError as error:
+                    failed.append(str(error))
+                    if len(failed) == GIVE_UP:
+                        break
     except RenderError as error:
-        return taken, f"{len(wanted) - taken} of {len(wanted)} pictures are missing: {error}"
-    return taken, ""
+        failed.append(str(error))
+    if not failed:
+        return taken, ""
+    return taken, f"{len(wanted) - taken} of {len(wanted)} pictures are missing: {failed[0]}"

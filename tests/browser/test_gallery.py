@@ -144,6 +144,9 @@ def test_C7_a_picture_is_taken_once(tmp_path: Path):
     again = built(repository, site)
     assert again.taken == 0
     assert all(file.read_bytes() == before[file] for file in files)
+    shutil.rmtree(tmp_path / "cache" / "pictures")
+    assert built(repository, site).taken == 3
+    assert all(file.read_bytes() == before[file] for file in files)  # the same bytes from another browser
     mesh = repository / "small" / "pair.mesh"
     mesh.write_text(mesh.read_text().replace("2 1 1 0", "2.5 1 1 0"))
     changed = built(repository, site)

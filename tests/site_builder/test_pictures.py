@@ -20,6 +20,7 @@ from site_builder.pictures import Album, Shot, studio, take_missing
 from site_builder.pictures.collection import Collection
 from site_builder.pictures.portrait import portrait
 from site_builder.pictures.views import camera, three_quarter_view
+from site_builder.rendering import RenderError
 from site_builder.repository import read_repository
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -115,6 +116,35 @@ def test_C7_no_browser_starts_when_every_picture_is_there(own, tmp_path, monkeyp
         album.keep(shot, b"png")
     monkeypatch.setattr(studio, "Studio", None)
     assert take_missing(shots, tmp_path, album, lambda what, part: None) == (0, "")
+
+
+def test_C2_a_picture_that_fails_costs_only_itself(own, tmp_path, monkeypatch):
+    class Stand:
+        """In the studio's place: small meshes come out, the large one doesn't."""
+
+        def __init__(self, site):
+            self.site = site
+
+        def __enter__(self):
+            return self
+
+        def __exit__(self, *_):
+            pass
+
+        def take(self, shot):
+            if shot.mesh.cells == 1000:
+                raise RenderError("out of memory")
+            return b"png"
+
+    monkeypatch.setattr(studio, "Studio", Stand)
+    here = [mesh for mesh in own.meshes if mesh.local]
+    for number, mesh in enumerate(here):
+        mesh.facts = Facts(sha256=f"{number:064}", cells=1000 if number == 0 else 10)
+    album, shots = Album(tmp_path), [Shot(mesh) for mesh in here]
+    taken, trouble = take_missing(shots, tmp_path, album, lambda what, part: None)
+    assert taken == len(here) - 1
+    assert trouble == f"1 of {len(here)} pictures are missing: out of memory"
+    assert [bool(album.picture(shot)) for shot in shots] == [False] + [True] * (len(here) - 1)
 
 
 def test_C2_without_a_browser_the_site_is_built_all_the_same(demo, tmp_path, monkeypatch):
