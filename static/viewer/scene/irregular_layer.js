@@ -51,8 +51,7 @@ export class IrregularLayer {
     for (const through of [1, 0]) for (const layer of layers) this.group.add(layer[through].mesh);
     // Not pulled: ends that dive into the surface would show as dots.
     for (const lines of [...this.#wires, ...this.#barbs, ...this.#folds]) lines.pull = 0;
-    for (const wire of this.#wires) wire.width = 1.75;
-    for (const barb of this.#barbs) barb.width = 1.25;
+    for (const barb of this.#barbs) barb.width = 1;
     for (const fold of this.#folds) fold.width = 1.5;
   }
 
@@ -104,6 +103,8 @@ export class IrregularLayer {
 
   #show() {
     const step = STEPS[this.#mode];
+    // Thin between barbs, which a broad wire would swallow.
+    for (const wire of this.#wires) wire.width = step.barbs[0] > 0 ? 1.25 : 1.75;
     for (const through of [0, 1]) {
       show(this.#wires[through], step.wires[through]);
       show(this.#barbs[through], step.barbs[through]);
