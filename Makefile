@@ -7,16 +7,19 @@ PYTHON ?= python3
 BIN := .venv/bin
 PORT ?= 0
 SITE := build/site
+BUILD := $(BIN)/hexalab build --repository repository --out $(SITE)
 export OMP_NUM_THREADS ?= 2
 
 .PHONY: serve build test lint bench nightly format clean
 .DELETE_ON_ERROR:
 
-serve: build
-	$(BIN)/hexalab serve --out $(SITE) --port $(PORT)
+# The pages stand at once; pictures that are missing are taken while they are served, and appear on a reload.
+serve: .venv/.ready node_modules/.ready
+	$(BUILD) --no-pictures
+	@$(BUILD) >build/pictures.log 2>&1 & $(BIN)/hexalab serve --out $(SITE) --port $(PORT)
 
 build: .venv/.ready node_modules/.ready
-	$(BIN)/hexalab build --repository repository --out $(SITE)
+	$(BUILD)
 
 test: build/.prepared build
 	node --test $$(find tests/viewer -name "*.test.js")

@@ -91,6 +91,7 @@ def build(
     progress: Progress | None = None,
     *,
     runtime: bool = True,
+    pictures: bool = True,
     cache: Path | None = None,
 ) -> BuildReport:
     """Build the site.
@@ -107,6 +108,8 @@ def build(
         Told what is being done and how far it is.
     runtime : bool
         Whether to put the viewer and its Python into the site; without it, the catalogue's pages alone.
+    pictures : bool
+        Whether to take the pictures that are missing; those taken before are shown in any case.
     cache : Path, optional
         Folder of what is remembered between builds; `cache` beside `out` by default.
 
@@ -136,18 +139,19 @@ def build(
     if runtime:
         tell("the viewer and its Python", 0.35)
         _add_viewer(Pages(catalogue, set(), extras), output, extras)
+    if runtime and pictures:
         shots = [*map(thumbnails.shot, thumbnails.wanted(catalogue)), *collection.figures.values()]
         taken, trouble = take_missing(shots, out, album, lambda what, part: tell(what, 0.4 + 0.5 * part))
-    pictures = _add_pictures(catalogue, output, thumbnails)
+    shown = _add_pictures(catalogue, output, thumbnails)
     figures = _add_figures(collection, output, album)
-    pages = Pages(catalogue, pictures, extras, collection, figures)
+    pages = Pages(catalogue, shown, extras, collection, figures)
     addresses = []
     for number, (page, html) in enumerate(pages.all()):
         output.write(f"{page}index.html", html)
         addresses.append(page)
         if number % 50 == 0:
             tell(f"page {page or 'index.html'}", 0.9 + 0.1 * number / (len(catalogue.meshes) + 40))
-    _add_indexes(catalogue, output, addresses, pictures)
+    _add_indexes(catalogue, output, addresses, shown)
     output.clean()
     tell("done", 1.0)
     return BuildReport(

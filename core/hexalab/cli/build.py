@@ -28,6 +28,12 @@ def configure(parser: ArgumentParser) -> None:
         help="where the site goes (default: %(default)s)",
     )
     parser.add_argument("--strict", action="store_true", help="a warning stops the build, too")
+    parser.add_argument(
+        "--no-pictures",
+        dest="pictures",
+        action="store_false",
+        help="take no new pictures of meshes, which needs a browser and minutes; those taken before are shown",
+    )
     parser.set_defaults(run=run)
 
 
@@ -39,7 +45,13 @@ def run(arguments: Namespace) -> int:
         raise HexaLabError(f"{arguments.repository}: there is no such folder")
     try:
         with Progress() as tell:
-            report = build(arguments.repository, arguments.out, strict=arguments.strict, progress=tell)
+            report = build(
+                arguments.repository,
+                arguments.out,
+                strict=arguments.strict,
+                progress=tell,
+                pictures=arguments.pictures,
+            )
     except BuildError as error:
         print(*error.problems, sep="\n", file=sys.stderr)
         return FINDING
