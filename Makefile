@@ -10,13 +10,15 @@ SITE := build/site
 BUILD := $(BIN)/hexalab build --repository repository --out $(SITE)
 export OMP_NUM_THREADS ?= 2
 
-.PHONY: serve build test lint bench nightly format clean
+.PHONY: serve pages build test lint bench nightly format clean
 .DELETE_ON_ERROR:
 
 # The pages stand at once; pictures that are missing are taken while they are served, and appear on a reload.
-serve: .venv/.ready node_modules/.ready
-	$(BUILD) --no-pictures
+serve: pages
 	@$(BUILD) >build/pictures.log 2>&1 & $(BIN)/hexalab serve --out $(SITE) --port $(PORT)
+
+pages: .venv/.ready node_modules/.ready
+	$(BUILD) --no-pictures
 
 build: .venv/.ready node_modules/.ready
 	$(BUILD)
@@ -40,7 +42,7 @@ format: .venv/.ready node_modules/.ready
 	$(BIN)/ruff format .
 	node_modules/.bin/prettier --write --log-level warn .
 
-bench: build/.prepared build
+bench: build/.prepared pages
 	$(BIN)/python -m benchmarks
 
 clean:
