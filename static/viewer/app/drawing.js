@@ -45,8 +45,9 @@ export class Drawing {
     store.on("*", (/** @type {any} */ status, /** @type {readonly string[]} */ changed) => {
       if (!changed.length) return;
       scene.setStatus(status);
+      // The translucent plane moves with the answer: a picture of it alone would delay that of the slice.
       if (concernsCore(changed)) this.update();
-      if (this.#facts.get("planeShown")) this.#showPlane();
+      else if (this.#facts.get("planeShown")) this.#showPlane();
     });
     facts.on("planeShown", () => this.#showPlane());
   }
@@ -111,6 +112,7 @@ export class Drawing {
       ...(answer.plane_ranges ? { planeRanges: answer.plane_ranges } : {}),
       timings: { ...this.#facts.get("timings"), upload },
     });
+    if (this.#facts.get("planeShown")) this.#showPlane();
   }
 
   /** The translucent plane, while its slider is held. */
