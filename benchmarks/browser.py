@@ -8,6 +8,7 @@ from typing import Any
 
 from playwright.sync_api import Page
 
+from . import dragging
 from .clock import table
 from .grids import SIZES, grid_file
 from .page import viewer
@@ -48,6 +49,8 @@ def run(folder: Path) -> None:
         ["mesh", "core, median", "core, worst", "to picture, median", "worst"],
         slices,
     )
+    dragging.run(folder, "direct")
+    dragging.run(folder)
 
 
 def _open(page: Page, address: str) -> list[float | None]:
