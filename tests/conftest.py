@@ -6,11 +6,15 @@ import json
 import os
 import re
 import sys
+from collections.abc import Iterator
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import pytest
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
 
 ROOT = Path(__file__).resolve().parents[1]
 MESHES = Path(os.environ.get("HEXALAB_MESHES", ROOT.parent / "shared" / "meshes"))
@@ -40,3 +44,12 @@ def expected(meshes: Path) -> dict[str, Any]:
     """Facts about each published mesh by its file name, from dictionaries and VTK's Verdict."""
     facts: dict[str, Any] = json.loads((meshes / "expected.json").read_text())
     return facts
+
+
+@pytest.fixture(scope="session")
+def chromium() -> Iterator[Browser]:
+    """The one Chromium of all tests: Playwright runs but once in a thread."""
+    from site_builder.browser import browser
+
+    with browser() as running:
+        yield running

@@ -12,13 +12,6 @@ from playwright.sync_api import Browser, Page
 
 import hexalab
 from benchmarks.page import SITE, WINDOW, serve
-from site_builder.browser import browser
-
-
-@pytest.fixture(scope="session")
-def chromium() -> Iterator[Browser]:
-    with browser() as running:
-        yield running
 
 
 @pytest.fixture(scope="session")

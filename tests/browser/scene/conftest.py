@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import shutil
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
@@ -12,23 +11,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-sync_api = pytest.importorskip("playwright.sync_api")
 image = pytest.importorskip("PIL.Image")
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[2]
-CHROMIUM = "/usr/bin/chromium"
-ARGUMENTS = [
-    "--no-sandbox",
-    "--use-gl=angle",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-]
 
 
 class Stage:
@@ -80,18 +66,9 @@ def bundle(tmp_path_factory: pytest.TempPathFactory) -> str:
     return out.read_text()
 
 
-@pytest.fixture(scope="session")
-def browser() -> Iterator[Any]:
-    executable = CHROMIUM if Path(CHROMIUM).exists() else shutil.which("chromium")
-    with sync_api.sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=executable, args=ARGUMENTS)
-        yield browser
-        browser.close()
-
-
 @pytest.fixture
-def stage(browser: Any, bundle: str) -> Iterator[Stage]:
-    page = browser.new_page(viewport={"width": 1280, "height": 800})
+def stage(chromium: Any, bundle: str) -> Iterator[Stage]:
+    page = chromium.new_page(viewport={"width": 1280, "height": 800})
     page.set_content("<!doctype html><style>body{margin:0} canvas{display:block}</style>")
     page.add_script_tag(content=bundle)
     stage = Stage(page)
