@@ -32,7 +32,7 @@ VIEW: dict[str, Any] = {
     "filters": {"planes": {"items": [{"enabled": True, "normal": [-0.6, -0.1, -0.3], "offset": 0.45}]}},
     "separation": {"line_opacity": 0.35},
     "silhouette": 1,
-    "irregular": {"mode": 1},
+    "irregular": {"mode": 1, "boundary": False},
 }
 
 NAMES = [f"{mode}-{light}" for mode in MODES for light in LIGHTS]
