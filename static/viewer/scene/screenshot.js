@@ -22,22 +22,23 @@ export async function takePicture(painter, { width, height, transparent, draw })
     throw new RangeError(`A picture has 1 to ${LARGEST} pixels along each side, not ${width} x ${height}`);
   }
   const pixels = new Uint8ClampedArray(4 * width * height);
-  const target = new WebGLRenderTarget(TILE, TILE, {
+  const side = Math.min(TILE, SCALE * Math.max(width, height));
+  const target = new WebGLRenderTarget(side, side, {
     format: RGBAFormat,
     type: UnsignedByteType,
     samples: 4,
     generateMipmaps: false,
   });
-  const drawn = new Uint8Array(4 * TILE * TILE);
-  const step = TILE / SCALE;
+  const drawn = new Uint8Array(4 * side * side);
+  const step = side / SCALE;
   try {
     for (let y = 0; y < height; y += step) {
       for (let x = 0; x < width; x += step) {
         const size = { width: Math.min(step, width - x), height: Math.min(step, height - y) };
-        const tile = { x: x * SCALE, y: y * SCALE, width: TILE, height: TILE };
+        const tile = { x: x * SCALE, y: y * SCALE, width: side, height: side };
         draw(target, tile, SCALE);
-        painter.renderer.readRenderTargetPixels(target, 0, 0, TILE, TILE, drawn);
-        reduce(drawn, pixels, { x, y, width }, size, transparent);
+        painter.renderer.readRenderTargetPixels(target, 0, 0, side, side, drawn);
+        reduce({ drawn, side }, pixels, { x, y, width }, size, transparent);
         await new Promise((resolve) => setTimeout(resolve));
       }
     }
@@ -51,20 +52,20 @@ export async function takePicture(painter, { width, height, transparent, draw })
 /**
  * Averages blocks of drawn pixels into the picture, top row first, and divides by their cover.
  *
- * @param {Uint8Array} drawn a tile, bottom row first
+ * @param {{ drawn: Uint8Array, side: number }} tile a square one, bottom row first
  * @param {Uint8ClampedArray} pixels the picture
  * @param {{ x: number, y: number, width: number }} at place of the tile, width of the picture
  * @param {{ width: number, height: number }} size of the tile in the picture
  * @param {boolean} transparent
  */
-function reduce(drawn, pixels, at, size, transparent) {
+function reduce({ drawn, side }, pixels, at, size, transparent) {
   const share = 1 / (SCALE * SCALE);
   for (let j = 0; j < size.height; j++) {
     let to = 4 * ((at.y + j) * at.width + at.x);
     for (let i = 0; i < size.width; i++, to += 4) {
       let [r, g, b, a] = [0, 0, 0, 0];
       for (let n = 0; n < SCALE; n++) {
-        let from = 4 * ((TILE - 1 - (j * SCALE + n)) * TILE + i * SCALE);
+        let from = 4 * ((side - 1 - (j * SCALE + n)) * side + i * SCALE);
         for (let m = 0; m < SCALE; m++, from += 4) {
           r += drawn[from];
           g += drawn[from + 1];
