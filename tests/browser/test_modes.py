@@ -154,7 +154,7 @@ def test_V1_V5_each_mode_under_each_light_looks_as_it_did(guarded: Page, name: s
         {"colour": {"inside": "#ffa000"}},
         {"colour": {"outside": "#ffe0ff"}},
         {"separation": {"mode": "lines", "line_opacity": 0}},
-        {"irregular": {"mode": 6, "boundary": True}},
+        {"irregular": {"mode": 5, "boundary": True}},
         {"background": "#f0f0f0"},
         {"filters": {"peel": {"depth": 1}}},
     ],
