@@ -26,8 +26,6 @@ SLICE = """async (offset) => {
     return [performance.now() - began, window.hexalab.timings().slice];
 }"""
 
-MEMORY = "() => window.hexalab.timings().memory ?? null"
-
 
 def run(folder: Path) -> None:
     """Print the browser's tables."""
@@ -41,9 +39,7 @@ def run(folder: Path) -> None:
             slices.append([name, *_slice(page)])
             if errors:
                 raise RuntimeError(f"the console reported {errors[0]}")
-    table(
-        "browser: open a .mesh, file to picture [ms]", ["mesh", "open", *STEPS, "MB wasm", "original"], rows
-    )
+    table("browser: open a .mesh, file to picture [ms]", ["mesh", "open", *STEPS, "original"], rows)
     table(
         "browser: 41 slices [ms]",
         ["mesh", "core, median", "core, worst", "to picture, median", "worst"],
@@ -66,7 +62,7 @@ def _open(page: Page, address: str) -> list[float | None]:
     )
     page.evaluate("() => window.hexalab.quality('scaled_jacobian')")
     timings: dict[str, Any] = page.evaluate("() => window.hexalab.timings()")
-    return [whole, *(timings.get(step) for step in STEPS), timings.get("memory")]
+    return [whole, *(timings.get(step) for step in STEPS)]
 
 
 def _slice(page: Page) -> list[float]:
