@@ -43,11 +43,9 @@ class Stage:
     def settle(self) -> None:
         self.page.evaluate("next(4)")
 
-    def picture(self, name: str | None = None) -> np.ndarray:
+    def picture(self) -> np.ndarray:
         """Return what the canvas shows, (h, w, 3) uint8."""
         data = self.page.locator("canvas").screenshot()
-        if name:
-            Path(f"/tmp/scene-{name}.png").write_bytes(data)
         return np.array(image.open(io.BytesIO(data)).convert("RGB"))
 
 
