@@ -156,6 +156,26 @@ def test_V9_of_two_drops_at_once_the_last_one_stands(mesh: Page, shelf: Path) ->
     assert ui.messages(mesh) == ""
 
 
+def test_R10_a_good_file_overtaken_by_a_bad_one_leaves_the_open_mesh(mesh: Page, shelf: Path) -> None:
+    before = ui.status(mesh)["mesh"]
+    hexalab.write(grid(9, 9, 9), shelf / "first.mesh")
+    asked = mesh.evaluate(
+        """async ([good, bad]) => {
+            const open = (name, text) => window.hexalab.open(new File([text], name));
+            return (await Promise.allSettled([open("first.mesh", good), open("cut.mesh", bad)]))
+                .map(({ status }) => status);
+        }""",
+        [(shelf / "first.mesh").read_text(), "MeshVersionFormatted 2\nDimension 3\nVertices 8\n0 0"],
+    )
+    assert asked == ["rejected", "rejected"]
+    ui.until(lambda: "cut.mesh" in ui.messages(mesh))
+    assert ui.summary(mesh)["cells"] == 64
+    ui.set_status(mesh, {"filters": {"peel": {"depth": 1}}})
+    assert ui.drawn(mesh) == (8, 24)
+    mesh.wait_for_timeout(300)
+    assert ui.status(mesh)["mesh"] == before
+
+
 def test_V9_a_mesh_and_its_settings_dropped_together(mesh: Page, shelf: Path) -> None:
     text = (shelf / "documents.mesh").read_text()
     ui.drop(mesh, ("again.mesh", text), ("again.json", json.dumps({"filters": {"peel": {"depth": 1}}})))

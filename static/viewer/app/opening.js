@@ -31,8 +31,10 @@ export function fromUrl(address) {
 export class Opening {
   #app;
   #turn = 0;
-  /** @type {Source | null} */
+  /** What is on the screen. @type {Source | null} */
   #current = null;
+  /** What the core holds: another mesh than the screen shows, from when a newer one is asked for until that is there. @type {Source | null} */
+  #held = null;
 
   /** @param {any} app */
   constructor(app) {
@@ -62,6 +64,8 @@ export class Opening {
       current();
       task.report(null, this.#reading(source));
       const summary = await client.call("open", [source.name, bytes], { replace: "open" });
+      this.#held = source;
+      if (turn !== this.#turn) this.#app.drawing.ready = false;
       current();
       const previewed = await preview;
       this.#current = source;
@@ -73,18 +77,20 @@ export class Opening {
       return summary;
     } catch (error) {
       if (!(error instanceof Superseded)) messages.error(error, { topic: "open" });
+      if (turn === this.#turn && this.#held !== this.#current) await this.reopen();
       throw error;
     } finally {
       task.end();
     }
   }
 
-  /** Open the present mesh again, after the core was restarted. */
+  /** Open the present mesh again: the core was restarted, or holds another. */
   async reopen() {
     if (!this.#current) return;
     const { client, drawing, measures } = this.#app;
     const bytes = await this.#current.bytes(() => {});
     await client.call("open", [this.#current.name, bytes], { replace: "open" });
+    this.#held = this.#current;
     drawing.ready = true;
     await drawing.update();
     measures.fill();

@@ -41,6 +41,8 @@ export class CoreClient extends EventTarget {
   #waiting = [];
   /** @type {Call | null} */
   #running = null;
+  /** Number of the call that opened the present mesh. */
+  #opened = 0;
   #booted = false;
   /** Milliseconds of the last call of each method, measured in the worker. @type {Record<string, number>} */
   milliseconds = {};
@@ -135,6 +137,8 @@ export class CoreClient extends EventTarget {
   /** @param {{id?: number, result?: unknown, error?: any, milliseconds?: number, opened?: number, sha256?: string}} data */
   #receive(data) {
     if (data.sha256) {
+      // A file that could not be read, or was followed by another, is not what is open.
+      if (data.opened !== this.#opened) return;
       this.dispatchEvent(new CustomEvent("identified", { detail: { sha256: data.sha256 } }));
       return;
     }
@@ -148,7 +152,10 @@ export class CoreClient extends EventTarget {
       return;
     }
     if (data.error) call.reject(new CoreError(data.error));
-    else call.resolve(data.result);
+    else {
+      if (call.method === "open") this.#opened = call.id;
+      call.resolve(data.result);
+    }
     this.#next();
     if (!this.pending) this.dispatchEvent(new Event("idle"));
   }

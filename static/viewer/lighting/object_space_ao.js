@@ -36,8 +36,10 @@ export class ObjectSpaceAO {
   #surface = null;
   /** @type {ReturnType<typeof gatheringPoints> | null} */
   #points = null;
-  #edge = 1;
-  #lift = Infinity;
+  /** How far off the surface its vertices gather light. */
+  #lift = 0;
+  /** What every view holds: the surface and the points lifted off it. @type {Float64Array} */
+  #box = new Float64Array(6);
   /** @type {BufferGeometry | null} */
   #plates = null;
 
@@ -89,10 +91,12 @@ export class ObjectSpaceAO {
     const surface = /** @type {import("../scene/types.js").Surface} */ (this.#surface);
     const plates = surface.mode === "rounded" ? platesOf(surface) : null;
     this.#points = gatheringPoints(surface, plates);
-    this.#lift = plates ? 0.6 * plates.rounding : Infinity;
-    this.#edge = meanSide(surface.positions, surface.quads, surface.faces.length);
+    const { box } = this.#points;
+    const edge = meanSide(surface.positions, surface.quads, surface.faces.length);
     this.#gatherer.setPoints(this.#renderer, this.#points);
-    const side = tileSide(this.#points.box, plates ? 3 * this.#edge : this.#edge, surface);
+    const side = tileSide(box, plates ? 3 * edge : edge, surface);
+    this.#lift = Math.min(plates ? 0.6 * plates.rounding : Infinity, diagonal(box) / side, 0.05 * edge);
+    this.#box = box.map((value, k) => (k < 3 ? value - this.#lift : value + this.#lift));
     if (this.#atlas?.side !== side) {
       this.#atlas?.dispose();
       this.#atlas = new DepthAtlas(side, Math.min(4, Math.floor(ATLAS / side)));
@@ -111,20 +115,18 @@ export class ObjectSpaceAO {
     if (!this.#points) this.#prepare();
     const atlas = /** @type {DepthAtlas} */ (this.#atlas);
     const points = /** @type {ReturnType<typeof gatheringPoints>} */ (this.#points);
-    const { box } = points;
     const first = this.count;
     let count = Math.min(atlas.columns ** 2, 2 ** Math.floor(Math.log2(Math.max(1, wanted))));
     while (first % count !== 0) count /= 2; // so that a batch ends at every power of two
     const views = [];
     for (let k = first; k < first + count; k++) {
-      views.push(lightView(this.#towards.subarray(3 * k, 3 * k + 3), box, 2 / atlas.side));
+      views.push(lightView(this.#towards.subarray(3 * k, 3 * k + 3), this.#box, 2 / atlas.side));
     }
     atlas.draw(this.#renderer, views, first);
-    const texel = Math.hypot(box[3] - box[0], box[4] - box[1], box[5] - box[2]) / atlas.side;
     this.#gatherer.gather(this.#renderer, atlas, this.#towards, {
       first,
       count,
-      lift: Math.min(this.#lift, texel, 0.05 * this.#edge),
+      lift: this.#lift,
       rows: points.rows,
     });
     this.count += count;
@@ -171,10 +173,14 @@ export class ObjectSpaceAO {
  * @returns {number}
  */
 function tileSide(box, edge, { mode, faces }) {
-  const extent = Math.hypot(box[3] - box[0], box[4] - box[1], box[5] - box[2]);
   const apart = mode === "fissure";
-  const wanted = 64 * Math.ceil(((apart ? 24 : 3) * extent) / edge / 64);
+  const wanted = 64 * Math.ceil(((apart ? 24 : 3) * diagonal(box)) / edge / 64);
   return Math.max(192, Math.min(wanted, apart && faces.length < 12000 ? 1024 : 512));
+}
+
+/** @param {Float64Array} box @returns {number} */
+function diagonal(box) {
+  return Math.hypot(box[3] - box[0], box[4] - box[1], box[5] - box[2]);
 }
 
 /**

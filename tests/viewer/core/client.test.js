@@ -119,3 +119,19 @@ test("events tell when the core is busy, idle, and which file was opened", async
   await call;
   assert.deepEqual(told, ["open", "idle", "ab"]);
 });
+
+test("a file that could not be read, or was followed by another, does not name the open mesh", async () => {
+  const { client: core, worker } = client();
+  boot(worker);
+  const told = [];
+  core.addEventListener("identified", (event) => told.push(event.detail.sha256));
+  const calls = [1, 2, 3].map((id) => core.call("open", [`${id}.mesh`, new ArrayBuffer(1)]));
+  worker.reply({ id: 1, result: {} });
+  worker.reply({ id: 2, result: {} });
+  worker.reply({ opened: 1, sha256: "a" });
+  worker.reply({ opened: 2, sha256: "b" });
+  worker.reply({ id: 3, error: { kind: "MeshReadError", message: "no mesh", fatal: false } });
+  worker.reply({ opened: 3, sha256: "c" });
+  await assert.rejects(calls[2], { message: "no mesh" });
+  assert.deepEqual(told, ["b"]);
+});
