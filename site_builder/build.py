@@ -196,8 +196,9 @@ def _add_meshes(
 def problem_of(mesh: MeshEntry, message: str, field_name: str = "") -> Problem:
     """An error in a mesh's row of source.yaml."""
     file = f"{mesh.source.folder.name}/source.yaml"
-    name = f"meshes[{mesh.source.meshes.index(mesh)}].{field_name or mesh.kind}"
-    return Problem("error", file, mesh.line, name, message)
+    field_name = field_name or mesh.kind
+    name = f"meshes[{mesh.source.meshes.index(mesh)}].{field_name}"
+    return Problem("error", file, mesh.lines.get(field_name, mesh.line), name, message)
 
 
 def disagreements(mesh: MeshEntry) -> list[Problem]:

@@ -10,10 +10,11 @@ wrong field later can say where it stands::
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import yaml
 
@@ -23,6 +24,9 @@ LARGEST_DOCUMENT = 2_000_000
 DEEPEST_NESTING = 20
 
 FieldPath = tuple[str | int, ...]
+
+_UNSEEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069\ufeff\ufffe\uffff]")
+"""Control characters, separators of lines, and what turns the direction of text: no HTML or none that reads true."""
 
 
 class DocumentError(Exception):
@@ -101,12 +105,33 @@ def read_yaml(file: Path) -> Document:
     return parse_yaml(text, file)
 
 
+class _Loader(getattr(yaml, "CSafeLoader", yaml.SafeLoader)):  # type: ignore[misc]
+    """PyYAML's safe loader with the plain scalars of YAML 1.2: ``010`` and ``1:30`` and ``no`` are what they look like.
+
+    What looks like a date stays text, too, and numbers too long to be meant are not computed.
+    """
+
+    yaml_implicit_resolvers: ClassVar[dict[str, Any]] = {}
+
+
+for _tag, _form, _first in (
+    ("null", r"~|null|Null|NULL|", ["~", "n", "N", ""]),
+    ("bool", r"true|True|TRUE|false|False|FALSE", list("tTfF")),
+    ("int", r"[-+]?(?:0|[1-9][0-9]{0,17})", list("-+0123456789")),
+    (
+        "float",
+        r"[-+]?(?:[0-9]{1,18}\.[0-9]{0,18}|\.[0-9]{1,18})(?:[eE][-+]?[0-9]{1,3})?",
+        list("-+.0123456789"),
+    ),
+):
+    _Loader.add_implicit_resolver(f"tag:yaml.org,2002:{_tag}", re.compile(rf"(?:{_form})\Z"), _first)
+
+
 def parse_yaml(text: str, file: Path) -> Document:
     """Read YAML from text; `file` is named in errors."""
-    base = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
     try:
-        _refuse_aliases(text, file, base)
-        loader = base(text)
+        _refuse_aliases(text, file, _Loader)
+        loader = _Loader(text)
         try:
             node = loader.get_single_node()
             if node is None:
@@ -120,7 +145,13 @@ def parse_yaml(text: str, file: Path) -> Document:
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         line = mark.line + 1 if mark else 1
-        raise DocumentError(f"not YAML: {error.problem or error.context}", file, line) from None
+        found = text.splitlines()[line - 1 : line]
+        hint = " (a tab; YAML is indented with spaces)" if found and re.match(r" *\t", found[0]) else ""
+        raise DocumentError(f"not YAML: {error.problem or error.context}{hint}", file, line) from None
+    except yaml.reader.ReaderError as error:
+        line = text.count("\n", 0, error.position) + 1
+        message = f"not YAML: the character U+{ord(text[error.position]):04X} is not allowed"
+        raise DocumentError(message, file, line) from None
     except (yaml.YAMLError, ValueError) as error:
         raise DocumentError(f"not YAML: {error}", file, 1) from None
     return document
@@ -143,11 +174,14 @@ def _refuse_aliases(text: str, file: Path, base: Any) -> None:
 
 def _walk(node: yaml.Node, path: FieldPath, file: Path) -> Iterator[tuple[FieldPath, int]]:
     yield path, node.start_mark.line + 1
+    if isinstance(node, yaml.ScalarNode) and (found := _UNSEEN.search(node.value)):
+        message = f"the character U+{ord(found[0]):04X}, which nobody sees, is not allowed"
+        raise DocumentError(message, file, node.start_mark.line + 1, path)
     if isinstance(node, yaml.MappingNode):
         seen: set[str] = set()
         for key, value in node.value:
             line = key.start_mark.line + 1
-            if not isinstance(key, yaml.ScalarNode):
+            if not isinstance(key, yaml.ScalarNode) or key.tag != "tag:yaml.org,2002:str":
                 raise DocumentError("a key must be a word", file, line, path)
             if key.value in seen:
                 raise DocumentError(f"the key {key.value!r} stands here twice", file, line, path)

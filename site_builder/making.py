@@ -8,6 +8,7 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 from .model import MeshEntry
 
@@ -36,7 +37,7 @@ def make(mesh: MeshEntry, root: Path, cache: Path) -> Path:
     script = mesh.source.folder / "make.py"
     kept = cache / "made" / _fingerprint(script, root) / mesh.path
     if not kept.exists():
-        data = _files(script, root, mesh)()
+        data = _run(script, _files(script, root, mesh))
         kept.parent.mkdir(parents=True, exist_ok=True)
         kept.write_bytes(data)
     return kept
@@ -48,14 +49,20 @@ def _files(script: Path, root: Path, mesh: MeshEntry) -> Callable[[], bytes]:
         if spec is None or spec.loader is None:
             raise MakingError(f"{script} can't be loaded")
         module = importlib.util.module_from_spec(spec)
-        try:
-            spec.loader.exec_module(module)
-        except Exception as error:
-            raise MakingError(f"{script} fails: {type(error).__name__}: {error}") from error
+        loader = spec.loader
+        _run(script, lambda: loader.exec_module(module))
     files: dict[str, Callable[[], bytes]] = getattr(module, "FILES", {})
     if mesh.path not in files:
         raise MakingError(f"{script} has no {mesh.path!r} in its table FILES")
     return files[mesh.path]
+
+
+def _run(script: Path, step: Callable[[], Any]) -> Any:
+    """A step of a script; whatever it stops with, leaving the program included, is the script's fault."""
+    try:
+        return step()
+    except (Exception, SystemExit) as error:
+        raise MakingError(f"{script} fails: {type(error).__name__}: {error}") from error
 
 
 @contextmanager

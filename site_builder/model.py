@@ -43,6 +43,8 @@ class MeshEntry:
         Absolute address of a remote file, "" for others.
     local : Path or None
         The file on this disk, once it is there.
+    line, lines : int, dict of str to int
+        Where source.yaml has its row, and each field of it.
     """
 
     source: Source
@@ -58,6 +60,7 @@ class MeshEntry:
     declared_cells: int | None = None
     facts: Facts = field(default_factory=Facts)
     line: int = 0
+    lines: dict[str, int] = field(default_factory=dict)
 
     @property
     def id(self) -> str:
@@ -128,6 +131,7 @@ class Source:
     web: str = ""
     index_path: str = ""
     contributors: list[str] = field(default_factory=list)
+    doi_line: int = 0
     meshes: list[MeshEntry] = field(default_factory=list)
 
     @property

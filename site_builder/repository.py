@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Iterator
-from functools import cache
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote, unquote, urljoin
 
-from jsonschema import Draft202012Validator
-from jsonschema.exceptions import ValidationError
-
+from .checking import matches, schema, schema_problems
 from .documents import Document, DocumentError, FieldPath, field_name, read_yaml
 from .facts import Facts, read_published
 from .model import Catalogue, MeshEntry, Problem, Source
@@ -21,15 +17,11 @@ from .names import ending, mesh_name, slug
 LARGEST_FILE = 25_000_000
 """Bytes of a mesh file in the repository; what a browser may upload to the code host."""
 
+LONGEST_NAME = 200
+"""Bytes of a file's or a folder's name."""
+
 FACTS_FILE = "facts.json"
 _SLUG = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
-
-
-@cache
-def schema(name: str) -> dict[str, Any]:
-    """The JSON Schema of a document: "source" or "catalogue"."""
-    text = (Path(__file__).parent / "schemas" / f"{name}.schema.json").read_text("utf-8")
-    return dict(json.loads(text))
 
 
 def read_repository(root: Path) -> Catalogue:
@@ -41,6 +33,9 @@ def read_repository(root: Path) -> Catalogue:
     _read_front(catalogue)
     for folder in sorted(entry for entry in root.iterdir() if entry.is_dir()):
         if folder.name.startswith((".", "_")) or (folder / "__init__.py").exists():
+            continue
+        if folder.is_symlink():
+            catalogue.problems.append(Problem("error", folder.name, 0, "", "a symbolic link, not a folder"))
             continue
         source = read_source(folder, catalogue.problems, root)
         if source:
@@ -71,8 +66,9 @@ def read_source(folder: Path, problems: list[Problem], root: Path | None = None)
             f"the folder's name must be lower-case letters, digits and hyphens, as {slug(folder.name)!r}"
         )
         problems.append(Problem("error", _shown(folder, root), 0, "", message))
-    if not file.exists():
-        problems.append(Problem("error", _shown(folder, root), 0, "", "no source.yaml in this folder"))
+    if file.is_symlink() or not file.is_file():
+        what = "source.yaml is no plain file" if file.is_symlink() or file.exists() else "no source.yaml"
+        problems.append(Problem("error", _shown(folder, root), 0, "", f"{what} in this folder"))
         return None
     document = _checked(file, "source", problems, root)
     if document is None:
@@ -90,13 +86,16 @@ def read_source(folder: Path, problems: list[Problem], root: Path | None = None)
         web=data.get("links", {}).get("web", ""),
         index_path=data.get("index_path", ""),
         contributors=data.get("contributors", []),
+        doi_line=document.line(("reference", "DOI")),
     )
     published = _published_facts(folder, problems, root)
     for index, row in enumerate(data["meshes"]):
         mesh = _mesh(source, row, data.get("base_url", ""))
         mesh.line = document.line(("meshes", index))
+        mesh.lines = {name: document.line(("meshes", index, name)) for name in row}
         for path, message in _mesh_problems(mesh, index):
             problems.append(_problem("error", document, path, message, root))
+            mesh.local = None
         mesh.facts = published.pop(mesh.key, None) or Facts()
         if mesh.facts.sha256 and mesh.declared_sha256 not in (None, mesh.facts.sha256):
             message = f"{mesh.declared_sha256} here, but {mesh.facts.sha256} in {FACTS_FILE}"
@@ -123,77 +122,6 @@ def _checked(file: Path, kind: str, problems: list[Problem], root: Path) -> Docu
     return None if found else document
 
 
-def schema_problems(document: Document, kind: str) -> Iterator[tuple[FieldPath, str]]:
-    """What a document's schema has against it, in the order of the file: field and message."""
-    errors = [_deepest(error) for error in Draft202012Validator(schema(kind)).iter_errors(document.data)]
-    for error in sorted(errors, key=lambda error: document.line(tuple(error.absolute_path))):
-        yield tuple(error.absolute_path), _explain(error)
-
-
-def _deepest(error: ValidationError) -> ValidationError:
-    """The error that tells most, where several forms were allowed: one about a field inside."""
-    if error.validator in ("anyOf", "oneOf"):
-        inside = [one for one in error.context or () if len(one.absolute_path) > len(error.absolute_path)]
-        if inside:
-            return _deepest(inside[0])
-    return error
-
-
-def _explain(error: ValidationError) -> str:
-    found = json.dumps(error.instance, ensure_ascii=False, default=str)
-    found = found if len(found) <= 80 else found[:77] + "..."
-    wanted = error.validator_value
-    match error.validator:
-        case "type":
-            words = {"string": "text", "object": "a mapping", "array": "a list", "integer": "a whole number"}
-            hint = "; put it in quotes" if wanted == "string" and isinstance(error.instance, int) else ""
-            return f"found {found}, expected {words.get(str(wanted), str(wanted))}{hint}"
-        case "required":
-            missing = [name for name in wanted if name not in error.instance]
-            return f"missing: {', '.join(missing)}"
-        case "additionalProperties":
-            known = error.schema.get("properties", {})
-            unknown = [name for name in error.instance if name not in known]
-            return f"unknown: {', '.join(unknown)}; known are {', '.join(known)}"
-        case "pattern":
-            return f"found {found}, expected {_PATTERNS.get(wanted, 'the form ' + str(wanted))}"
-        case "enum":
-            return f"found {found}, expected one of {', '.join(map(str, wanted))}"
-        case "oneOf" if "required" in str(wanted):
-            keys = [option["required"][0] for option in wanted if "required" in option]
-            return f"found {found}, expected exactly one of {', '.join(keys)}" if keys else error.message
-        case "anyOf" if "description" in error.schema:
-            return f"found {found}, expected {error.schema['description']}"
-        case "minLength" | "minItems":
-            return f"found {found}, expected at least {wanted} {_unit(error)}"
-        case "maxLength" | "maxItems":
-            return f"found {len(error.instance)} {_unit(error)}, expected at most {wanted}"
-        case "minimum" | "maximum":
-            return (
-                f"found {found}, expected at {'least' if error.validator == 'minimum' else 'most'} {wanted}"
-            )
-    return f"found {found}: {error.message}"
-
-
-def _unit(error: ValidationError) -> str:
-    return "characters" if str(error.validator).endswith("Length") else "entries"
-
-
-_PATTERNS = {
-    schema("source")["$defs"]["address"]["pattern"]: "an address that starts with https:// or http://",
-    schema("source")["$defs"]["line"]["pattern"]: "one line of text",
-    schema("source")["properties"]["base_url"]["pattern"]: "an address that ends in a slash",
-    schema("source")["$defs"]["mesh"]["properties"]["sha256"][
-        "pattern"
-    ]: "64 hexadecimal digits in lower case",
-    schema("source")["$defs"]["mesh"]["properties"]["slug"]["pattern"]: "lower-case letters, digits, hyphens",
-    schema("source")["$defs"]["reference"]["properties"]["DOI"][
-        "pattern"
-    ]: "a bare DOI like 10.1111/cgf.13617",
-    schema("source")["$defs"]["reference"]["properties"]["arXiv"]["pattern"]: "an arXiv id like 1901.00238",
-}
-
-
 def _csl_item(source_slug: str, reference: dict[str, Any]) -> dict[str, Any]:
     """The reference as CSL-JSON: dates in parts, numbers as text, arXiv's id in CSL's own fields."""
     item: dict[str, Any] = {"id": source_slug, **reference}
@@ -215,7 +143,7 @@ def _mesh(source: Source, row: dict[str, Any], base: str) -> MeshEntry:
     path = unquote(key.split("?")[0]) if kind == "url" else key
     if kind == "url" and "://" in key:
         path = path.rsplit("/", 1)[-1]
-    remote = urljoin(base, quote(key, safe="/%:?&=#+,;@!$'()*~-._")) if kind == "url" else ""
+    remote = _address(base, key) if kind == "url" else ""
     return MeshEntry(
         source=source,
         slug=row.get("slug") or slug(mesh_name(path)) or "mesh",
@@ -231,14 +159,23 @@ def _mesh(source: Source, row: dict[str, Any], base: str) -> MeshEntry:
     )
 
 
+def _address(base: str, key: str) -> str:
+    """The address of a remote file; "" if there is none."""
+    try:
+        address = urljoin(base, quote(key, safe="/%:?&=#+,;@!$'()*~-._"))
+    except ValueError:
+        return ""
+    return address if matches(schema("source")["$defs"]["address"]["pattern"], address) else ""
+
+
 def _mesh_problems(mesh: MeshEntry, index: int) -> Iterator[tuple[FieldPath, str]]:
     """What is wrong with one row of `meshes`, beyond its schema."""
     here: FieldPath = ("meshes", index, mesh.kind)
     if not ending(mesh.path):
         yield here, f"{mesh.path!r} doesn't end as a mesh format that is read here"
     if mesh.kind == "url":
-        if not mesh.remote.startswith(("https://", "http://")):
-            yield here, f"{mesh.key!r} is no web address and there is no base_url to put before it"
+        if not mesh.remote:
+            yield here, f"{mesh.key!r} is no web address, nor is it one with base_url before it"
         return
     parts = mesh.path.split("/")
     if mesh.path.startswith("/") or "\\" in mesh.path or any(part in ("", ".", "..") for part in parts):
@@ -247,6 +184,9 @@ def _mesh_problems(mesh: MeshEntry, index: int) -> Iterator[tuple[FieldPath, str
     if mesh.kind == "made":
         if not (mesh.source.folder / "make.py").exists():
             yield here, "there is no make.py beside source.yaml that could make it"
+        return
+    if any(len(part.encode()) > LONGEST_NAME for part in parts):
+        yield here, f"a name of more than {LONGEST_NAME} bytes: many systems can't store it"
         return
     file = mesh.source.folder / mesh.path
     if any(place.is_symlink() for place in (file, *file.parents[: len(parts) - 1])):
@@ -279,7 +219,7 @@ def _published_facts(folder: Path, problems: list[Problem], root: Path) -> dict[
         return {}
     try:
         return read_published(file)
-    except (ValueError, TypeError, KeyError, AttributeError) as error:
+    except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
         problems.append(Problem("error", _shown(file, root), 0, "", f"not a table of facts: {error}"))
         return {}
 
@@ -302,7 +242,7 @@ def _check_unique(catalogue: Catalogue) -> None:
         if other is not source:
             message = f"the DOI {source.doi} is taken by {other.slug}"
             file = _shown(source.folder / "source.yaml", catalogue.root)
-            catalogue.problems.append(Problem("error", file, 0, "reference.DOI", message))
+            catalogue.problems.append(Problem("error", file, source.doi_line, "reference.DOI", message))
 
 
 def _problem(severity: str, document: Document, path: FieldPath, message: str, root: Path) -> Problem:

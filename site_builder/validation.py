@@ -13,7 +13,7 @@ from hexalab import HexaLabError
 from .build import disagreements, problem_of
 from .making import MakingError, make
 from .measuring import Measurer
-from .model import Catalogue, MeshEntry, Problem
+from .model import Catalogue, MeshEntry, Problem, Source
 from .names import ending
 from .repository import FACTS_FILE, LARGEST_FILE, read_repository, read_source
 from .words import count, file_size, number, structure_word, verdict
@@ -74,8 +74,11 @@ def validate(directory: Path, cache: Path | None = None) -> ValidationReport:
     """
     if (directory / "source.yaml").exists():
         catalogue = Catalogue(directory.parent)
+        directory = directory.resolve()
+        catalogue.root = directory.parent
         source = read_source(directory, catalogue.problems, directory.parent)
         catalogue.sources = [source] if source else []
+        catalogue.problems += _doi_taken(source) if source else []
     else:
         catalogue = read_repository(directory)
         if not catalogue.sources and not catalogue.problems:
@@ -93,6 +96,19 @@ def validate(directory: Path, cache: Path | None = None) -> ValidationReport:
             report.problems += _repeated_files(source.meshes)
     report.problems.sort(key=lambda problem: (problem.file, problem.line, problem.field))
     return report
+
+
+def _doi_taken(source: Source) -> list[Problem]:
+    """What the sources beside it have against a source that is checked alone."""
+    root = source.folder.parent
+    for folder in sorted(root.iterdir()):
+        if folder != source.folder and source.doi and (folder / "source.yaml").is_file():
+            other = read_source(folder, [], root)
+            if other and other.doi.lower() == source.doi.lower():
+                message = f"the DOI {source.doi} is taken by {other.slug}"
+                file = f"{source.folder.name}/source.yaml"
+                return [Problem("error", file, source.doi_line, "reference.DOI", message)]
+    return []
 
 
 def _measure_all(
@@ -125,7 +141,10 @@ def _folder_problems(folder: Path, listed: list[str], root: Path) -> list[Proble
             continue
         if file.is_symlink():
             problems.append(Problem("error", shown, 0, "", "a symbolic link; only plain files are taken"))
-        elif file.is_file():
+        elif not file.is_file():
+            if not file.is_dir():
+                problems.append(Problem("error", shown, 0, "", "not a plain file"))
+        else:
             total += file.stat().st_size
             if file.stat().st_mode & stat.S_IXUSR:
                 problems.append(

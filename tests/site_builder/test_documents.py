@@ -29,6 +29,12 @@ def test_C1_every_field_knows_its_line():
         ("", 1, "nothing in it"),
         ("? [1, 2]\n: x\n", 1, "key must be a word"),
         ("a: \x07\n", 1, "not YAML"),
+        ("a: 1\nb: x\0\n", 2, r"U\+0000"),
+        ('a: 1\nb: "x\\u202ey"\n', 2, r"U\+202E"),
+        ('a: "x\\u2028y"\n', 1, r"U\+2028"),
+        ("a:\n\tb: 1\n", 2, "a tab"),
+        ("a: 1\n2: b\n", 2, "key must be a word"),
+        ("a: 1\n~: b\n", 2, "key must be a word"),
     ],
 )
 def test_C1_what_cannot_be_read_is_named_with_its_line(text, line, message):
@@ -58,3 +64,10 @@ def test_C1_a_file_that_is_no_text_is_refused(tmp_path):
     file.write_bytes(b"\x89PNG\r\n\xff\xfe")
     with pytest.raises(DocumentError, match="UTF-8"):
         read_yaml(file)
+
+
+def test_C1_plain_scalars_are_what_they_look_like():
+    text = "[010, 1:30, 0x10, no, yes, 2025-13-41, .inf, 12, -3, 1.5, true, ~, " + "9" * 5000 + "]"
+    assert parse_yaml(text, FILE).data == [
+        "010", "1:30", "0x10", "no", "yes", "2025-13-41", ".inf", 12, -3, 1.5, True, None, "9" * 5000,
+    ]  # fmt: skip

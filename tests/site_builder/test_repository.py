@@ -106,6 +106,22 @@ def test_C1_the_demo_is_read_without_a_problem(demo):
             "small/source.yaml:16: found the key",
         ),
         (SMALL, 'title: "Small', 'titel: "Small', "small/source.yaml:1: reference: missing: title"),
+        (SMALL, 'title: "Small', 'titel: "Small', "small/source.yaml:3: reference.titel: unknown: titel"),
+        (
+            FAR,
+            "10.5555/meshes.2021.7",
+            '"10.5555/meshes.2021.7\\n"',
+            'far/source.yaml:13: reference.DOI: found "10.5555/meshes.2021.7\\n"',
+        ),
+        (FAR, "pdf: https://meshes.example.org/", "pdf: https://:/", "far/source.yaml:15: links.pdf: found"),
+        (FAR, "base_url: https://meshes.example.org", "base_url: https://[::1", "base_url: found"),
+        (
+            FAR,
+            "https://elsewhere.example.org",
+            "https://[::1",
+            "meshes[1].url: 'https://[::1/second.vtk' is no web",
+        ),
+        (SMALL, "file: pair.mesh", f"file: {'long' * 60}.mesh", "a name of more than 200 bytes"),
     ],
 )
 def test_C1_an_error_names_file_line_and_field(demo, file, old, new, expected):
@@ -123,7 +139,8 @@ def test_C1_an_error_names_file_line_and_field(demo, file, old, new, expected):
 def test_C1_two_sources_may_not_share_a_doi(demo):
     (demo / "again").mkdir()
     (demo / "again" / "source.yaml").write_text((demo / FAR).read_text("utf-8"), "utf-8")
-    assert any("the DOI 10.5555/meshes.2021.7 is taken by again" in problem for problem in problems_of(demo))
+    (problem,) = problems_of(demo)
+    assert problem == "far/source.yaml:13: reference.DOI: the DOI 10.5555/meshes.2021.7 is taken by again"
 
 
 def test_C1_symbolic_links_are_refused(demo, tmp_path):
@@ -132,6 +149,21 @@ def test_C1_symbolic_links_are_refused(demo, tmp_path):
     (demo / "small" / "pair.mesh").unlink()
     os.symlink(secret, demo / "small" / "pair.mesh")
     assert any("symbolic link" in problem for problem in problems_of(demo))
+
+
+def test_C1_nothing_is_read_from_outside_a_sources_folder(demo, tmp_path):
+    (tmp_path / "outside.yaml").write_text((demo / FAR).read_text("utf-8"), "utf-8")
+    (demo / FAR).unlink()
+    os.symlink(tmp_path / "outside.yaml", demo / FAR)
+    os.symlink(demo / "small", demo / "smaller")
+    (demo / "folder" / "source.yaml").mkdir(parents=True)
+    assert set(problems_of(demo)) == {
+        "far: source.yaml is no plain file in this folder",
+        "folder: source.yaml is no plain file in this folder",
+        "smaller: a symbolic link, not a folder",
+    }
+    (demo / SMALL).write_text((demo / SMALL).read_text("utf-8").replace("file: pair", "file: ../pair"))
+    assert read_repository(demo).sources[0].meshes[0].local is None
 
 
 def test_C1_folder_names_are_slugs(demo):
@@ -152,9 +184,15 @@ def test_C1_facts_belong_to_a_mesh(demo):
     assert any("'gone.mesh' is no url of a mesh" in problem for problem in problems_of(demo))
 
 
-def test_C1_unknown_facts_are_refused(demo):
+@pytest.mark.parametrize(
+    "facts",
+    ['{"colour": "red"}', '{"cells": "lots"}', '{"cells": true}', '{"cells": -1}', '{"sj_min": NaN}',
+     '{"sha256": "<b>"}', '{"interior_edge_valence": {"4": "x"}}', '{"interior_edge_valence": {"four": 1}}',
+     '{"notes": ["x"]}', '"x"', "[" * 100_000],
+)  # fmt: skip
+def test_C1_facts_that_cannot_be_are_refused(demo, facts):
     file = demo / "far" / "facts.json"
-    file.write_text('{"meshes": {"one%20folder/first.mesh": {"colour": "red"}}}', "utf-8")
+    file.write_text(f'{{"meshes": {{"one%20folder/first.mesh": {facts}}}}}', "utf-8")
     assert any("not a table of facts" in problem for problem in problems_of(demo))
 
 

@@ -82,18 +82,49 @@ def test_C6_one_source_can_be_checked_alone(demo):
     assert "cells have negative volume" in report.markdown or "cell has negative volume" in report.markdown
 
 
+def test_C6_a_source_checked_alone_may_not_take_anothers_doi(demo):
+    (demo / "new").mkdir()
+    (demo / "new" / "source.yaml").write_text((demo / "far/source.yaml").read_text("utf-8"), "utf-8")
+    (problem,) = [problem for problem in validate(demo / "new").problems if problem.severity == "error"]
+    assert str(problem).startswith(
+        "new/source.yaml:13: reference.DOI: the DOI 10.5555/meshes.2021.7 is taken"
+    )
+
+
+@pytest.mark.parametrize(
+    "script", ["raise SystemExit(0)", "FILES = {'row.mesh.gz': lambda: 1 / 0}", "import nothing_of_this_name"]
+)
+def test_C6_a_script_that_fails_is_named(demo, script):
+    (demo / "small" / "make.py").write_text(script)
+    (problem,) = [problem for problem in validate(demo / "small").problems if problem.severity == "error"]
+    assert problem.field == "meshes[2].made"
+    assert "make.py fails: " in problem.message
+
+
+def test_C6_what_the_file_does_not_hold_is_told_with_its_line(demo):
+    text = (demo / "small/source.yaml").read_text("utf-8")
+    (demo / "small/source.yaml").write_text(text.replace("cells: 2", f"cells: 3\n    sha256: {'0' * 64}"))
+    errors = [problem for problem in validate(demo / "small").problems if problem.severity == "error"]
+    assert [(problem.line, problem.field) for problem in errors] == [
+        (14, "meshes[0].cells"),
+        (15, "meshes[0].sha256"),
+    ]
+
+
 def test_C6_what_does_not_belong_in_a_source_is_named(demo):
     small = demo / "small"
     (small / "notes.docx").write_bytes(b"x")
     (small / "extra.mesh").write_text(CUBE.read_text())
     os.chmod(small / "pair.mesh", 0o755)
     os.symlink("/etc/passwd", small / "link.txt")
+    os.mkfifo(small / "pipe.mesh")
     report = validate(demo)
     found = {problem.file: (problem.severity, problem.message) for problem in report.problems}
     assert found["small/notes.docx"] == ("error", "not a file that belongs here")
     assert found["small/extra.mesh"] == ("warning", "a mesh that source.yaml doesn't list")
     assert found["small/pair.mesh"][1].startswith("is executable")
     assert found["small/link.txt"][1].startswith("a symbolic link")
+    assert found["small/pipe.mesh"] == ("error", "not a plain file")
 
 
 def test_C6_the_same_file_twice_is_refused(demo):
@@ -148,3 +179,17 @@ def test_C6_a_source_is_not_started_twice(tmp_path):
     new_source("10.5555/again", tmp_path)
     with pytest.raises(ScaffoldError, match="is there already"):
         new_source("10.5555/again", tmp_path)
+
+
+def test_C6_bibtex_of_an_older_manager_and_a_dois_address_start_a_source(tmp_path):
+    (tmp_path / "old.bib").write_bytes(BIBTEX.replace("Doe", "Dö").encode("latin-1"))
+    assert "family: Dö" in new_source(str(tmp_path / "old.bib"), tmp_path).read_text("utf-8")
+    file = new_source("https://doi.org/10.5555/again", tmp_path)
+    assert file.parent.name == "10-5555-again"
+    assert 'DOI: "10.5555/again"' in file.read_text("utf-8")
+
+
+def test_C6_a_folder_of_meshes_that_is_not_there_is_told(tmp_path):
+    with pytest.raises(ScaffoldError, match="there is no folder"):
+        new_source("blocks", tmp_path / "repository", meshes=tmp_path / "nowhere")
+    assert not (tmp_path / "repository").exists()
