@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,18 +17,19 @@ class BibtexError(Exception):
 
 @dataclass
 class Entry:
-    """One entry: its type, its key, its fields by lower-case name, without TeX's mark-up."""
+    """One entry: its type, its key, its fields by lower-case name, without TeX's mark-up, and its authors."""
 
     kind: str
     key: str
     fields: dict[str, str]
+    authors: list[dict[str, str]]
 
 
-_ACCENTS = {
+ACCENTS = {
     '"': "\u0308", "'": "\u0301", "`": "\u0300", "^": "\u0302", "~": "\u0303", "=": "\u0304", ".": "\u0307",
     "c": "\u0327", "v": "\u030c", "u": "\u0306", "H": "\u030b", "k": "\u0328", "r": "\u030a",
 }  # fmt: skip
-_LETTERS = {
+LETTERS = {
     "ss": "ß",
     "o": "ø",
     "O": "Ø",
@@ -46,6 +48,9 @@ _TYPES = {
     "techreport": "report", "dataset": "dataset", "misc": "article", "unpublished": "article", "online": "article",
     "software": "software",
 }  # fmt: skip
+_PUBLISHERS = ("publisher", "school", "institution", "organization")
+_HTML = re.compile(r"</?(?:i|b|em|strong|sub|sup|scp|span|tt)(?:\s[^<>]*)?>", re.IGNORECASE)
+"""Mark-up that publishers' pages leave in the titles of their BibTeX."""
 
 
 def read_bibtex(text: str) -> Entry:
@@ -56,11 +61,19 @@ def read_bibtex(text: str) -> Entry:
     BibtexError
         There is none, or it doesn't end.
     """
-    for start in re.finditer(r"@(\w+)\s*\{", text):
-        if start[1].lower() not in ("comment", "string", "preamble"):
-            body = _braced(text, start.end())
+    text = re.sub(r"(?m)^\s*%.*$", "", text)
+    macros: dict[str, str] = {}
+    place = 0
+    while start := re.compile(r"@(\w+)\s*\{").search(text, place):
+        kind, body = start[1].lower(), _braced(text, start.end())
+        place = start.end() + len(body)
+        if kind == "string":
+            macros.update(_fields(body, macros))
+        elif kind not in ("comment", "preamble"):
             key, _, rest = body.partition(",")
-            return Entry(start[1].lower(), key.strip(), dict(_fields(rest)))
+            raw = dict(_fields(rest, macros))
+            authors = [_name(name) for name in _split_names(raw.get("author", ""))]
+            return Entry(kind, key.strip(), {name: _untex(value) for name, value in raw.items()}, authors)
     raise BibtexError("no entry like @article{key, title = {...}} in it")
 
 
@@ -88,10 +101,10 @@ def csl_reference(entry: Entry) -> dict[str, Any]:
     reference: dict[str, Any] = {
         "type": kind,
         "title": fields["title"],
-        "author": [_name(name) for name in _split_names(fields["author"])],
+        "author": entry.authors,
         "issued": _issued(fields),
         "container-title": fields.get("journal") or fields.get("booktitle") or "",
-        "publisher": fields.get("publisher", "")
+        "publisher": next((fields[name] for name in _PUBLISHERS if fields.get(name)), "")
         if kind in ("book", "chapter", "report", "thesis", "dataset")
         else "",
         "volume": fields.get("volume", ""),
@@ -115,14 +128,14 @@ def _braced(text: str, start: int) -> str:
     raise BibtexError("the entry's last brace is missing")
 
 
-def _fields(text: str) -> Any:
+def _fields(text: str, macros: dict[str, str]) -> Iterator[tuple[str, str]]:
     place = 0
     while found := re.compile(r"[\s,]*([\w-]+)\s*=\s*").match(text, place):
-        value, place = _value(text, found.end())
-        yield found[1].lower(), _untex(value)
+        value, place = _value(text, found.end(), macros)
+        yield found[1].lower(), value
 
 
-def _value(text: str, start: int) -> tuple[str, int]:
+def _value(text: str, start: int, macros: dict[str, str]) -> tuple[str, int]:
     parts = []
     place = start
     while True:
@@ -136,6 +149,7 @@ def _value(text: str, start: int) -> tuple[str, int]:
             word = re.compile(r"[^\s,#}]*").match(text, place)
             part = word[0] if word else ""
             place += len(part)
+            part = macros.get(part.lower(), part)
         parts.append(part)
         more = re.compile(r"\s*#\s*").match(text, place)
         if not more:
@@ -156,30 +170,47 @@ def _untex(text: str) -> str:
     """Text without TeX: accents composed, commands and braces gone, one space between words."""
     text = re.sub(r"\\([\"'`^~=.])\s*\{?\\?([A-Za-z])\}?", _accented, text)
     text = re.sub(r"\\([cvuHkr])(?:\s+|\s*\{)\\?([A-Za-z])\}?", _accented, text)
-    text = re.sub(r"\\(ss|ae|AE|aa|AA|[oOlLi])(?![A-Za-z])(\{\})?\s?", lambda found: _LETTERS[found[1]], text)
+    text = re.sub(r"\\(ss|ae|AE|aa|AA|[oOlLi])(?![A-Za-z])(\{\})?\s?", lambda found: LETTERS[found[1]], text)
     text = re.sub(r"\\text(?:it|bf|sc|rm)\b|\\(?:emph|mathrm|url)\b", "", text)
     text = re.sub(r"\\([&%$#_{}])", r"\1", text).replace("~", " ").replace("---", "—").replace("--", "–")
+    text = text.replace("``", "“").replace("''", "”")
+    text = re.sub(r"\$\\times\s*\$", "×", text)
     text = re.sub(r"\$\\ell\s*_?\{?(\w?)\}?\$", r"ℓ\1", text)
-    return " ".join(re.sub(r"[{}$]|\\(?=\s)", "", text).split())
+    return " ".join(re.sub(r"[{}$]|\\(?=\s)", "", _HTML.sub("", text)).split())
 
 
 def _accented(found: re.Match[str]) -> str:
-    return unicodedata.normalize("NFC", found[2] + _ACCENTS[found[1]])
+    return unicodedata.normalize("NFC", found[2] + ACCENTS[found[1]])
 
 
 def _split_names(text: str) -> list[str]:
-    return [name.strip() for name in re.split(r"\s+and\s+", text) if name.strip()]
+    """Names as TeX has them; an "and" inside braces is part of a name, "others" is nobody."""
+    names = [part.strip() for part in _split_outside_braces(text, r"\s+and\s+")]
+    return [name for name in names if name and name != "others"]
+
+
+def _split_outside_braces(text: str, separator: str) -> list[str]:
+    parts = [""]
+    for part in re.split(f"({separator})", text):
+        inside = parts[-1].count("{") > parts[-1].count("}")
+        if re.fullmatch(separator, part) and not inside:
+            parts.append("")
+        else:
+            parts[-1] += part
+    return parts
 
 
 def _name(name: str) -> dict[str, str]:
-    if "," in name:
-        family, _, given = (part.strip() for part in name.partition(","))
-        if "," in given:
-            suffix, _, given = (part.strip() for part in given.partition(","))
-            family = f"{family} {suffix}"
+    """A CSL name from TeX's "von Last, Jr, First" or "First von Last"; a group is all in braces."""
+    if name.startswith("{") and len(_braced(name, 1)) == len(name) - 2 and not name.startswith("{\\"):
+        return {"literal": _untex(name)}
+    family, *rest = (_untex(part) for part in _split_outside_braces(name, ","))
+    if rest:
+        *suffix, given = rest
+        family = " ".join([family, *suffix])
     else:
-        words = name.split()
-        start = next((i for i, word in enumerate(words[1:-1], 1) if word[0].islower()), len(words) - 1)
+        words = [_untex(word) for word in _split_outside_braces(name, r"\s+")]
+        start = next((i for i, word in enumerate(words[1:-1], 1) if word[:1].islower()), len(words) - 1)
         given, family = " ".join(words[:start]), " ".join(words[start:])
     return {"family": family, "given": given} if given else {"literal": family}
 

@@ -17,7 +17,7 @@ from .making import MakingError, make
 from .measuring import Measurer
 from .model import Catalogue, MeshEntry, Problem
 from .output import Output
-from .pages import Pages
+from .pages import LOCAL, Pages
 from .pictures import Album, png_size, take_missing
 from .pictures.collection import Collection
 from .repository import read_repository
@@ -124,6 +124,7 @@ def build(
     tell("reading the repository", 0.0)
     catalogue = read_repository(repository)
     catalogue.address = os.environ.get(ADDRESS_VARIABLE) or catalogue.address or "http://localhost:8000/"
+    _address_collections(catalogue)
     measurer = Measurer(cache)
     output = Output(out)
     previews = _add_meshes(catalogue, measurer, output, cache, tell)
@@ -166,6 +167,13 @@ def build(
         warnings=warnings,
         notes=[trouble] if trouble else [],
     )
+
+
+def _address_collections(catalogue: Catalogue) -> None:
+    """A collection that is published nowhere else is cited by its page here, once the site has a lasting address."""
+    for source in catalogue.sources:
+        if source.own and not source.doi and not source.arxiv and not catalogue.address.startswith(LOCAL):
+            source.reference.setdefault("URL", catalogue.address + source.page)
 
 
 def _add_meshes(

@@ -80,6 +80,8 @@ def citation(item: dict[str, Any], style: str) -> Markup:
         )
         bibliography.register(Citation([CitationItem(item["id"])]))
         text = str(bibliography.bibliography()[0]).removeprefix("[1]").strip()
+    if str(item.get("number", "")).startswith("arXiv:"):
+        text = text.replace("ArXiv:", "arXiv:")
     html = str(escape(text))
     for tag in set(_TAGS.values()) - {""}:
         html = html.replace(f"{_OPEN}{tag}{_END}", f"<{tag}>").replace(f"{_CLOSE}{tag}{_END}", f"</{tag}>")

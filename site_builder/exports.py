@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import json
 import re
+import unicodedata
 from collections.abc import Iterable
 from typing import Any
 
+from .bibtex import ACCENTS, LETTERS
 from .names import doi_address
 
 Item = dict[str, Any]
@@ -23,7 +25,11 @@ _BIBTEX_CONTAINER = {"inproceedings": "booktitle", "incollection": "booktitle", 
 _SPECIAL = {
     "\\": r"\textbackslash{}", "{": r"\textbraceleft{}", "}": r"\textbraceright{}", "$": r"\$", "&": r"\&",
     "#": r"\#", "%": r"\%", "_": r"\_", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}",
+    "ℓ": r"{$\ell$}", "×": r"{$\times$}", "\u2010": "-", "–": "--", "—": "---", "“": "``", "”": "''", "‘": "`",
+    "’": "'", **{letter: rf"{{\{command}}}" for command, letter in LETTERS.items()},
 }  # fmt: skip
+_MARKS = {mark: command for command, mark in ACCENTS.items()}
+_BIBTEX_PUBLISHER = {"phdthesis": "school", "techreport": "institution", "misc": "howpublished"}
 
 
 def csl_json(items: Iterable[Item]) -> str:
@@ -32,7 +38,7 @@ def csl_json(items: Iterable[Item]) -> str:
 
 
 def bibtex(items: Iterable[Item]) -> str:
-    """BibTeX of some references, in UTF-8."""
+    """BibTeX of some references, accents as TeX writes them: classic BibTeX cuts UTF-8 in the middle of a letter."""
     return "\n".join(_bibtex_entry(item) for item in items)
 
 
@@ -48,9 +54,9 @@ def _bibtex_entry(item: Item) -> str:
     fields = {
         "title": "{" + _tex(item["title"]) + "}",
         "author": " and ".join(_bibtex_name(author) for author in item["author"]),
-        _BIBTEX_CONTAINER.get(kind, "howpublished"): _tex(item.get("container-title", "")),
+        _BIBTEX_CONTAINER.get(kind, "note"): _tex(item.get("container-title", "")),
         "series": _tex(item.get("collection-title", "")),
-        "publisher": _tex(item.get("publisher", "")),
+        "publisher" if arxiv else _BIBTEX_PUBLISHER.get(kind, "publisher"): _tex(item.get("publisher", "")),
         "volume": _tex(item.get("volume", "")),
         "number": _tex(
             item.get("issue", "") or ("" if kind in ("article", "misc") else item.get("number", ""))
@@ -77,7 +83,17 @@ def _bibtex_name(author: dict[str, str]) -> str:
 
 def _tex(text: Any) -> str:
     """Text in which TeX's special characters are escaped, on one line."""
-    return "".join(_SPECIAL.get(letter, letter) for letter in " ".join(str(text).split()))
+    return "".join(_tex_letter(letter) for letter in " ".join(str(text).split()))
+
+
+def _tex_letter(letter: str) -> str:
+    if letter in _SPECIAL:
+        return _SPECIAL[letter]
+    base, *marks = unicodedata.normalize("NFD", letter)
+    if len(marks) != 1 or not base.isascii() or marks[0] not in _MARKS:
+        return letter
+    command = _MARKS[marks[0]]
+    return f"{{\\{command}{{{base}}}}}" if command.isalpha() else f"{{\\{command}{base}}}"
 
 
 def _bare(text: Any) -> str:

@@ -155,7 +155,7 @@ def _dataset(catalogue: Catalogue, source: Source) -> JsonLd:
         "measurementTechnique": TECHNIQUE,
         "includedInDataCatalog": _catalogue_reference(catalogue),
         **rights,
-        **({"citation": citation} if citation else {}),
+        **({"citation": citation} if citation and not citation.startswith(catalogue.address) else {}),
     }
 
 

@@ -53,7 +53,9 @@ def new_source(
     folder = repository / _folder_name(name, reference)
     if folder.exists():
         raise ScaffoldError(f"{folder} is there already")
-    rows = _mesh_rows(meshes or folder)
+    if meshes and not meshes.is_dir():
+        raise ScaffoldError(f"there is no folder {meshes}")
+    rows = _mesh_rows(meshes) if meshes else []
     folder.mkdir(parents=True)
     file = folder / "source.yaml"
     file.write_text(_yaml(reference, _licence(ask), rows), "utf-8")
@@ -62,7 +64,7 @@ def new_source(
 
 def _reference(name: str, ask: Ask | None) -> dict[str, Any]:
     if Path(name).suffix == ".bib" or Path(name).is_file():
-        return csl_reference(read_bibtex(Path(name).read_text("utf-8-sig")))
+        return csl_reference(read_bibtex(_text(Path(name))))
     reference: dict[str, Any] = {"type": "article-journal", "title": "", "author": [], "issued": ""}
     doi = normal_doi(name)
     if ask:
@@ -78,6 +80,15 @@ def _reference(name: str, ask: Ask | None) -> dict[str, Any]:
     return {key: value for key, value in reference.items() if value or key in ("title", "author", "issued")}
 
 
+def _text(file: Path) -> str:
+    """BibTeX doesn't say how it is encoded: what isn't UTF-8 is taken for Latin-1, as older managers write it."""
+    data = file.read_bytes()
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return data.decode("latin-1")
+
+
 def _author(text: str) -> dict[str, str]:
     family, _, given = (part.strip() for part in text.partition(","))
     return {"family": family, "given": given} if given else {"literal": family}
@@ -86,7 +97,7 @@ def _author(text: str) -> dict[str, str]:
 def _folder_name(name: str, reference: dict[str, Any]) -> str:
     """``livesu-2013-polycut-monotone-graph``: first author, year, first words of the title."""
     if not reference["title"]:
-        made = slug(name)
+        made = slug(normal_doi(name) or name)
     else:
         author = reference["author"][0] if reference["author"] else {}
         words = [word for word in re.findall(r"\w+", reference["title"].lower()) if word not in _STOP_WORDS]
@@ -107,8 +118,6 @@ def _licence(ask: Ask | None) -> str:
 
 
 def _mesh_rows(folder: Path) -> list[str]:
-    if not folder.is_dir():
-        return []
     return sorted(file.relative_to(folder).as_posix() for file in folder.rglob("*") if ending(file.name))
 
 

@@ -61,7 +61,7 @@ def test_C2_an_article_number_stands_where_pages_would():
 
 def test_C2_a_preprint_names_arxiv():
     text = plain(citation(item(PREPRINT), "APA"))
-    assert "1901.00238" in text
+    assert "(arXiv:1901.00238)" in text
     assert "https://arxiv.org/abs/1901.00238" in text
 
 
@@ -92,6 +92,37 @@ def test_C2_bibtex_escapes_what_tex_would_read():
     assert r"50\% of \textbraceleft{}braces\textbraceright{} \& \$money\$ \textbackslash{}input" in text
     body = text.split("title = ", 1)[1].split(",\n", 1)[0]
     assert body.count("{") == body.count("}")
+
+
+def test_C2_bibtex_writes_letters_as_tex_does():
+    reference = {
+        **ARTICLE,
+        "title": "ℓ1 “padding” – a 2×2 study of Polycube\u2010maps",
+        "author": [
+            {"family": "Patanè", "given": "Giuseppe"},
+            {"family": "Šesták", "given": "Łukasz"},
+            {"family": "Groß", "given": "François"},
+            {"family": "王", "given": "Wei"},
+        ],
+    }
+    text = bibtex([item(reference)])
+    assert r"title = {{{$\ell$}1 ``padding'' -- a 2{$\times$}2 study of Polycube-maps}}" in text
+    assert (
+        r"Patan{\`e}, Giuseppe and {\v{S}}est{\'a}k, {\L}ukasz and Gro{\ss}, Fran{\c{c}}ois and 王, Wei"
+        in text
+    )
+    back = csl_reference(read_bibtex(text))
+    assert back["author"] == reference["author"]
+    assert back["title"] == "ℓ1 “padding” – a 2×2 study of Polycube-maps"
+
+
+@pytest.mark.parametrize(
+    ("kind", "field"), [("thesis", "school"), ("report", "institution"), ("dataset", "howpublished")]
+)
+def test_C2_bibtex_has_the_field_that_a_type_wants(kind, field):
+    reference = {**PREPRINT, "type": kind, "publisher": "Somebody"}
+    del reference["arXiv"]
+    assert f"  {field} = {{Somebody}}" in bibtex([item(reference)])
 
 
 def test_C2_ris_has_the_tags_that_managers_read():
@@ -141,6 +172,37 @@ def test_C6_a_publishers_bibtex_is_read():
         "issue": "4",
         "number": "60",
         "DOI": "10.1145/3528223.3530123",
+    }
+
+
+AUTHORS_OWN_ENTRY = r"""
+% @article{commented, title = {Not this}, author = {A B}, year = 1999}
+@comment{ @article{put-aside, title = {Nor this}, author = {A B}, year = 1999} }
+@string{eg = "Eurographics"}
+@phdthesis{key,
+    author = {{The CGAL Project} and {Barnes and Noble} and Erd{\H{o}}s, P{\'a}l and Le Brun, Jr., Andr\'e
+       and Ludwig van Beethoven and others},
+    title = {A ``Quoted'' <i>Hexahedral</i> Title},
+    school = {Universit\'{e} de Lorraine}, series = eg, year = 2022
+}
+"""
+
+
+def test_C6_an_authors_own_bibtex_is_read():
+    entry = read_bibtex(AUTHORS_OWN_ENTRY)
+    assert entry.fields["series"] == "Eurographics"
+    assert csl_reference(entry) == {
+        "type": "thesis",
+        "title": "A “Quoted” Hexahedral Title",
+        "author": [
+            {"literal": "The CGAL Project"},
+            {"literal": "Barnes and Noble"},
+            {"family": "Erdős", "given": "Pál"},
+            {"family": "Le Brun Jr.", "given": "André"},
+            {"family": "van Beethoven", "given": "Ludwig"},
+        ],
+        "issued": 2022,
+        "publisher": "Université de Lorraine",
     }
 
 
