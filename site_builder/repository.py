@@ -162,7 +162,7 @@ def _mesh(source: Source, row: dict[str, Any], base: str) -> MeshEntry:
 def _address(base: str, key: str) -> str:
     """The address of a remote file; "" if there is none."""
     try:
-        address = urljoin(base, quote(key, safe="/%:?&=#+,;@!$'()*~-._"))
+        address = urljoin(base, quote(key, safe="/%:?&=#+,;@!$()*~-._"))
     except ValueError:
         return ""
     return address if matches(schema("source")["$defs"]["address"]["pattern"], address) else ""
