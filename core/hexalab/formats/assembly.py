@@ -130,8 +130,7 @@ class Assembly:
 
 def check_ids(block: CellBlock, vertex_count: int) -> None:
     """Raise MeshReadError if a corner is no vertex of the mesh."""
-    low, high = int(block.corners.min()), int(block.corners.max())
-    if low >= 0 and high < vertex_count:
+    if in_range(block.corners, vertex_count):
         return
     wrong = (block.corners < 0) | (block.corners >= vertex_count)
     cell = int(np.argmax(wrong.any(axis=0)))
@@ -141,6 +140,13 @@ def check_ids(block: CellBlock, vertex_count: int) -> None:
     raise block.locate(
         f"a {KINDS[block.kind]} refers to vertex {found}, which is not there: {expected}", cell, corner
     )
+
+
+def in_range(corners: Array, vertex_count: int) -> bool:
+    """Whether all ids are those of vertices."""
+    if corners.dtype == np.int32 and corners.flags.c_contiguous:
+        return bool(corners.view(np.uint32).max() < vertex_count)  # the negative ones are the largest
+    return bool(corners.min() >= 0 and corners.max() < vertex_count)
 
 
 def joined(blocks: list[CellBlock]) -> tuple[Ids, NDArray[np.uint8]]:
@@ -184,6 +190,9 @@ def free_name(arrays: Mapping[str, Array], name: str) -> str:
 
 def check_finite(coordinates: Floats, locate: Callable[[str, int], MeshReadError]) -> None:
     """Raise `locate(message, vertex)` for the first vertex of (3, n) coordinates that is not finite."""
+    with np.errstate(over="ignore", invalid="ignore"):
+        if np.isfinite(coordinates.sum()):  # what is not finite spoils the sum
+            return
     finite = np.isfinite(coordinates)
     if finite.all():
         return

@@ -2,12 +2,32 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from ..mesh import Array
 
-ROWS = 8192
-"""Rows that are converted at a time: few enough that reading them column by column stays in cache."""
+STRETCH = 1 << 18
+"""Bytes that are converted at a time: few enough that reading them column by column stays in cache."""
+
+
+def stretches(rows: Array) -> Iterator[tuple[slice, Array]]:
+    """Some rows of a C-contiguous (n, k) table after others: which they are, and they, at even addresses.
+
+    Where they are copied for it, then always to the same memory: fresh memory costs more than the copy, so
+    each stretch is to be used up before the next is taken.
+    """
+    most = max(1, STRETCH // max(1, rows.shape[1] * rows.itemsize))
+    parts = (slice(start, min(start + most, len(rows))) for start in range(0, len(rows), most))
+    if rows.flags.aligned:
+        yield from ((part, rows[part]) for part in parts)
+        return
+    memory = np.empty(rows[:most].nbytes, dtype=np.uint8)
+    for part in parts:
+        copied = memory[: rows[part].nbytes]
+        copied[:] = rows[part].reshape(-1).view(np.uint8)
+        yield part, copied.view(rows.dtype).reshape(-1, rows.shape[1])
 
 
 def native(values: Array) -> Array:
@@ -24,10 +44,10 @@ def native(values: Array) -> Array:
 
 
 def as_coordinates(rows: Array) -> Array:
-    """(3, n) float64 from (n, 3) rows of x, y, z in any number type, byte order and alignment."""
+    """(3, n) float64 from C-contiguous (n, 3) rows of x, y, z in any number type, byte order and
+    alignment."""
     out = np.empty((3, len(rows)))
     with np.errstate(invalid="ignore"):
-        for start in range(0, len(rows), ROWS):
-            part = slice(start, start + ROWS)
-            out[:, part] = native(rows[part]).T
+        for part, stretch in stretches(rows):
+            out[:, part] = stretch.T
     return out

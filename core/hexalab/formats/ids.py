@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..mesh import Array
+from .byte_order import native
 
 LARGEST_ID = 2**31 - 2
 
@@ -21,6 +22,22 @@ def within_int32(values: Array) -> Array:
     else:
         good = int(values.max()) <= LARGEST_ID and int(values.min()) >= -LARGEST_ID
     return values if good else np.clip(values, -LARGEST_ID, LARGEST_ID)
+
+
+def as_int32(values: Array) -> Array:
+    """The integers as int32, in either byte order; no copy where they are that already.
+
+    Those that do not fit are moved to the range's ends, as by `within_int32`. Of 64-bit numbers that fit, the
+    lower halves are taken where they stand: one pass over the bits that any of them has tells that they fit.
+    """
+    if values.dtype.kind == "i" and values.dtype.itemsize == 4:
+        return values
+    if values.dtype.itemsize == 8 and values.size and values.flags.aligned and values.flags.c_contiguous:
+        bits = np.bitwise_or.reduce(values.view(np.uint64), axis=None)
+        if 0 <= int(np.array([bits]).view(values.dtype)[0]) <= LARGEST_ID:
+            order = values.dtype.str[0]
+            return values.view(f"{order}i4")[..., 1 if order == ">" else 0 :: 2]
+    return within_int32(native(values)).astype(np.int32)
 
 
 def whole_tags(values: Array) -> NDArray[np.int64] | None:

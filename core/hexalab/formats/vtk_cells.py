@@ -13,10 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import MeshReadError
-from ..mesh import HEXAHEDRON, Array, Floats, Ids
+from ..mesh import CHUNK, HEXAHEDRON, Array, Floats, Ids
 from .assembly import Assembly, CellBlock, check_ids
-from .byte_order import ROWS, native
-from .ids import within_int32
+from .byte_order import native, stretches
+from .ids import as_int32, within_int32
 from .row_chain import ErrorAt
 from .vtk_types import CELL_TYPES, HEXAHEDRON_TYPE, VOXEL, CellType
 
@@ -32,22 +32,38 @@ class Rows:
     ----------
     ids : (n,) integers
         All rows, one after the other; there may be other numbers between them.
-    starts, sizes : (C,) intp
-        Where each row begins in `ids` and how many corners it has; already checked to lie within.
+    starts : (C,) intp or range
+        Where each row begins in `ids`; a range if all have one size and stand at equal distances.
+    sizes : (C,) integers
+        How many corners each row has; already checked to lie within.
     types : (C,) integers or None
         VTK's cell types.
     error_at : callable
         `error_at(message, index)` makes the error for `ids[index]`.
-    uniform : int
-        If all rows have that many corners and stand at equal distances: that number, else 0.
     """
 
     ids: Array
-    starts: Array
+    starts: Array | range
     sizes: Array
     types: Array | None
     error_at: ErrorAt
-    uniform: int = 0
+
+    @property
+    def uniform(self) -> int:
+        """How many corners each row has if the rows stand at equal distances, else 0."""
+        return int(self.sizes[0]) if isinstance(self.starts, range) and len(self.starts) else 0
+
+    def begins(self, which: Array) -> Array:
+        """Where the rows `which` begin in `ids`."""
+        if isinstance(self.starts, range):
+            return self.starts.start + self.starts.step * which
+        return np.asarray(self.starts[which])
+
+    def all_of_type(self, number: int) -> bool:
+        """Whether every row is declared to be of the type."""
+        if self.types is None:
+            return False
+        return all((part == number).all() for _, part in stretches(self.types.reshape(-1, 1)))
 
 
 def add_cells(out: Assembly, rows: Rows) -> NDArray[np.intp] | None:
@@ -58,8 +74,8 @@ def add_cells(out: Assembly, rows: Rows) -> NDArray[np.intp] | None:
     kept : (n,) intp or None
         Rows that became cells, ascending; None if all did.
     """
-    if rows.uniform == 8 and rows.types is not None and (rows.types == HEXAHEDRON_TYPE).all():
-        add_type(out, rows, CELL_TYPES[HEXAHEDRON_TYPE], HEXAHEDRON_TYPE, np.arange(len(rows.starts)), None)
+    if rows.uniform == 8 and rows.all_of_type(HEXAHEDRON_TYPE):
+        add_type(out, rows, CELL_TYPES[HEXAHEDRON_TYPE], HEXAHEDRON_TYPE, range(len(rows.starts)), None)
         return None
     types = declared_types(out, rows)
     chosen = {number: np.flatnonzero(types == number) for number in np.unique(types).tolist()}
@@ -94,7 +110,7 @@ def declared_types(out: Assembly, rows: Rows) -> Array:
         for size, number in ((8, HEXAHEDRON_TYPE), (6, 13), (5, 14), (4, 10)):
             guessed[rows.sizes == size] = number
         return guessed
-    types: Array = rows.types
+    types: Array = native(rows.types)
     eight = rows.sizes == 8
     volumetric = False
     doubtful = []
@@ -125,7 +141,7 @@ def renamed(out: Assembly, types: Array, eight: NDArray[np.bool_], number: int) 
 
 
 def add_type(
-    out: Assembly, rows: Rows, cell_type: CellType, number: int, which: Array, places: Array | None
+    out: Assembly, rows: Rows, cell_type: CellType, number: int, which: Array | range, places: Array | None
 ) -> None:
     """Add the rows `which`, all of one type."""
     assert cell_type.kind is not None
@@ -155,25 +171,23 @@ def add_type(
     out.blocks.append(block)
 
 
-def gathered(rows: Rows, which: Array, order: tuple[int, ...]) -> Ids:
+def gathered(rows: Rows, which: Array | range, order: tuple[int, ...]) -> Ids:
     """(k, n) int32 own corners of the rows `which`; ids that don't fit int32 stay out of range."""
     count = len(which)
     out = np.empty((len(order), count), dtype=np.int32)
-    step = int(rows.starts[1] - rows.starts[0]) if rows.uniform and count > 1 else 0
-    whole = step - rows.uniform in (0, 1) and count == len(rows.starts) and step > 0
-    for start in range(0, count, ROWS):
-        part = slice(start, min(start + ROWS, count))
-        if whole:
-            before = step - rows.uniform
-            first = int(rows.starts[part.start]) - before
-            stretch = native(rows.ids[first : first + step * (part.stop - part.start)])
-            table = stretch.reshape(-1, step)[:, before:]
-            table = within_int32(table)
-            out[:, part] = table.T if list(order) == list(range(rows.uniform)) else table.T[list(order)]
-        else:
-            begin = rows.starts[which[part]]
-            for corner, own in zip(out, order, strict=True):
-                corner[part] = within_int32(native(rows.ids[begin + own]))
+    if isinstance(rows.starts, range) and count == len(rows.starts):
+        step, before = rows.starts.step, rows.starts.step - rows.uniform
+        first = rows.starts.start - before
+        whole = order == tuple(range(rows.uniform))
+        for part, stretch in stretches(rows.ids[first : first + step * count].reshape(count, step)):
+            table = as_int32(stretch)[:, before:].T
+            out[:, part] = table if whole else table[list(order)]
+        return out
+    for start in range(0, count, CHUNK):
+        part = slice(start, start + CHUNK)
+        begin = rows.begins(np.asarray(which[part]))
+        for corner, own in zip(out, order, strict=True):
+            corner[part] = within_int32(native(rows.ids[begin + own]))
     return out
 
 
@@ -202,14 +216,16 @@ def central_jacobian(corners: Ids, coordinates: Floats) -> Floats:
         )
 
 
-def spans(offsets: Array, size: int, error_at: ErrorAt) -> tuple[Array, Array, int]:
-    """Starts, sizes and uniform size of rows from their n+1 offsets, checked against the connectivity's
-    size."""
-    if len(offsets) == 0:
-        return np.empty(0, np.intp), np.empty(0, np.int32), 0
+def spans(offsets: Array, size: int, error_at: ErrorAt) -> tuple[Array | range, Array]:
+    """Starts and sizes of rows from their n+1 offsets, checked against the connectivity's size."""
+    count = len(offsets) - 1
+    if count < 0:
+        return np.empty(0, np.intp), np.empty(0, np.int32)
+    step = int(offsets[1]) if count else 0
+    if 0 < step * count <= size and evenly(offsets, step):
+        return range(0, step * count, step), np.broadcast_to(np.int32(step), count)
+    offsets = native(offsets).astype(np.int64, copy=False)
     sizes = np.diff(offsets)
-    if len(sizes) and offsets[0] == 0 and 0 <= offsets[-1] <= size and (sizes == sizes[0]).all():
-        return offsets[:-1].astype(np.intp, copy=False), sizes.astype(np.int32), int(sizes[0])
     wrong = np.concatenate([[offsets[0] != 0], (sizes < 0) | (offsets[1:] > size)])
     if wrong.any():
         index = int(np.argmax(wrong))
@@ -218,4 +234,12 @@ def spans(offsets: Array, size: int, error_at: ErrorAt) -> tuple[Array, Array, i
             "the connectivity",
             index,
         )
-    return offsets[:-1].astype(np.intp, copy=False), sizes.astype(np.int32), 0
+    return offsets[:-1].astype(np.intp, copy=False), sizes.astype(np.int32)
+
+
+def evenly(offsets: Array, step: int) -> bool:
+    """Whether the numbers are 0, step, 2 step, ..."""
+    return all(
+        (native(part).reshape(-1) == np.arange(step * which.start, step * which.stop, step)).all()
+        for which, part in stretches(offsets.reshape(-1, 1))
+    )

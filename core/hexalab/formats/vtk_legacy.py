@@ -14,7 +14,7 @@ import numpy as np
 
 from ..mesh import Array, Mesh
 from .assembly import Assembly, check_finite
-from .byte_order import as_coordinates, native
+from .byte_order import as_coordinates
 from .row_chain import COUNTED, ErrorAt, row_starts
 from .source import Source
 from .text import Text
@@ -48,7 +48,7 @@ class Reader:
         self.out = Assembly(source, "vtk")
         self.values = Values(self.text, self.header())
         self.attributes = Attributes(self.text, self.values, self.out)
-        self.cells: tuple[Array, Array, Array, ErrorAt, int] | None = None
+        self.cells: tuple[Array, Array | range, Array, ErrorAt] | None = None
         self.types: Array | None = None
 
     def header(self) -> bool:
@@ -98,12 +98,12 @@ class Reader:
         text = self.text
         if self.cells is None:
             raise text.error("the file ends before its section CELLS")
-        ids, starts, sizes, error_at, uniform = self.cells
+        ids, starts, sizes, error_at = self.cells
         if self.types is not None and len(self.types) != len(sizes):
             raise text.error(
                 f"CELL_TYPES has {len(self.types)} entries, expected one for each of {len(sizes)} cells"
             )
-        kept = add_cells(self.out, Rows(ids, starts, sizes, self.types, error_at, uniform))
+        kept = add_cells(self.out, Rows(ids, starts, sizes, self.types, error_at))
         self.attributes.finish(len(sizes), kept)
         return self.out.mesh()
 
@@ -160,12 +160,11 @@ class Reader:
             )
         uniform = int(ids[0]) if count and size == count * (int(ids[0]) + 1) else 0
         if uniform and (ids[:: uniform + 1] == uniform).all():
-            starts: Array = np.arange(1, size, uniform + 1)
-            sizes = np.full(count, uniform, dtype=np.int32)
-        else:
-            starts, uniform = row_starts(ids, count, COUNTED, error_at, "CELLS") + 1, 0
-            sizes = ids[starts - 1].astype(np.int32)
-        self.cells = ids, starts, sizes, error_at, uniform
+            even = range(1, size, uniform + 1)
+            self.cells = ids, even, np.broadcast_to(np.int32(uniform), count), error_at
+            return
+        starts = row_starts(ids, count, COUNTED, error_at, "CELLS") + 1
+        self.cells = ids, starts, ids[starts - 1].astype(np.int32), error_at
 
     def split_cells(self, offset_count: int, size: int) -> None:
         """`CELLS n+1 size`, then OFFSETS and CONNECTIVITY, each with its number type."""
@@ -180,12 +179,12 @@ class Reader:
         code = self.values.number_type(text.word())
         self.values.begin()
         ids, error_at = self.values.take(size, code, "CONNECTIVITY")
-        starts, sizes, uniform = spans(native(offsets).astype(np.int64, copy=False), size, offset_error)
-        self.cells = ids, starts, sizes, error_at, uniform
+        starts, sizes = spans(offsets, size, offset_error)
+        self.cells = ids, starts, sizes, error_at
 
     def read_types(self) -> None:
         count = self.text.count("cell types", 0)
         self.values.begin()
         types, _ = self.values.take(count, "i4", "CELL_TYPES")
         if self.types is None:
-            self.types = types.astype(np.int32, copy=False)
+            self.types = types

@@ -112,9 +112,9 @@ class Reader:
             return self.arrays.error(named["connectivity"], message)
 
         offsets = np.concatenate([np.zeros(1, np.int64), ends.astype(np.int64)])
-        starts, sizes, uniform = spans(offsets, len(ids), error_at)
+        starts, sizes = spans(offsets, len(ids), error_at)
         part = Assembly(self.source, "vtu", points, notes=self.out.notes, left_out=self.out.left_out)
-        kept = add_cells(part, Rows(ids, starts, sizes, types, error_at, uniform))
+        kept = add_cells(part, Rows(ids, starts, sizes, types, error_at))
         first_cell = sum(block.corners.shape[1] for block in self.out.blocks)
         for block in part.blocks:
             self.out.add_piece(block, points.shape[1], self.vertex_count, first_cell)

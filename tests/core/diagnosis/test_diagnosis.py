@@ -251,3 +251,13 @@ def test_R9_coordinates_that_are_no_numbers() -> None:
         report = found(mesh)
     assert report["degenerate_cells"].cells.tolist() == report["invalid_corner_cells"].cells.tolist() == [0]
     assert turn_round(mesh) is mesh
+
+
+def test_R9_a_vertex_far_away_that_no_cell_uses_does_not_hide_the_only_positive_cell() -> None:
+    cells = box(2, 1, 1)
+    corners = cells.corners.copy()
+    corners[:, 0] = corners[list(MIRROR[HEXAHEDRON]), 0]
+    points = np.concatenate([cells.points * 1e-8, [[1e9, 0, 0]]])
+    mesh = Mesh(points.T, corners, cells.kinds)
+    assert signs(mesh).volume.tolist() == [-1, 1]
+    assert turn_round(mesh) is mesh
