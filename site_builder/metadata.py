@@ -105,7 +105,7 @@ def describe_mesh(mesh: MeshEntry) -> str:
     if mesh.cells:
         parts.append(f"A mesh of {plural(mesh.cells, 'cell')}.")
     parts.append(
-        f"One of the meshes of “{mesh.source.title}” by {_joined(mesh.source.authors)} ({mesh.source.year})."
+        f"{mesh.name}, one of the meshes of “{mesh.source.title}” by {_joined(mesh.source.authors)} ({mesh.source.year})."
     )
     parts += [text for text in (structure_line(mesh.facts), verdict(mesh.facts)[1]) if text]
     return " ".join(part if part.endswith(".") else part + "." for part in parts)

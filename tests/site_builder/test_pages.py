@@ -231,6 +231,13 @@ def test_C3_json_ld_has_what_schema_org_and_dataset_search_ask_for(site):
         assert ("conditionsOfAccess" in data) == ("sources/far" in name)
 
 
+def test_C3_no_two_pages_describe_themselves_alike(site):
+    described = [
+        json_ld(page)["description"] for name, page in pages(site).items() if name.startswith("sources/")
+    ]
+    assert len(set(described)) == len(described)
+
+
 def test_C3_a_mesh_says_what_was_measured(site):
     data = json_ld(pages(site)["sources/small/pair/index.html"])
     measured = {row["name"]: row for row in data["variableMeasured"]}
