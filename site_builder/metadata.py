@@ -104,9 +104,8 @@ def describe_mesh(mesh: MeshEntry) -> str:
     parts = [mesh.description] if mesh.description else []
     if mesh.cells:
         parts.append(f"A mesh of {plural(mesh.cells, 'cell')}.")
-    parts.append(
-        f"{mesh.name}, one of the meshes of “{mesh.source.title}” by {_joined(mesh.source.authors)} ({mesh.source.year})."
-    )
+    who = f"{_joined(mesh.source.authors)} ({mesh.source.year})"
+    parts.append(f"{mesh.name}, one of the meshes of “{mesh.source.title}” by {who}.")
     parts += [text for text in (structure_line(mesh.facts), verdict(mesh.facts)[1]) if text]
     return " ".join(part if part.endswith(".") else part + "." for part in parts)
 

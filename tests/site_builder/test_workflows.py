@@ -1,0 +1,62 @@
+"""What runs on the code host: a contribution's scripts get a token that can only read, no action changes unseen."""
+
+import re
+from pathlib import Path
+
+import pytest
+import yaml
+
+FOLDER = Path(__file__).resolve().parents[2] / ".github" / "workflows"
+FILES = sorted(FOLDER.glob("*.yml"))
+
+
+def steps(workflow):
+    return [step for job in workflow["jobs"].values() for step in job["steps"]]
+
+
+def triggers(workflow):
+    """PyYAML reads the key `on` as YAML 1.1 does: as true."""
+    return workflow[True]
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
+def test_C6_actions_are_pinned_by_commit(file):
+    used = [step["uses"] for step in steps(yaml.safe_load(file.read_text("utf-8"))) if "uses" in step]
+    assert used
+    for action in used:
+        assert re.fullmatch(r"[\w-]+/[\w-]+@[0-9a-f]{40}", action), action
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
+def test_C6_the_token_can_read_alone_and_is_not_left_behind(file):
+    workflow = yaml.safe_load(file.read_text("utf-8"))
+    assert workflow["permissions"] == {"contents": "read"}
+    for name, job in workflow["jobs"].items():
+        writes = {key for key, value in job.get("permissions", {}).items() if value == "write"}
+        assert writes <= ({"pages", "id-token"} if name == "deploy" else set())
+        assert not (writes and any("run" in step for step in job["steps"])), (
+            "only actions may hold such a token"
+        )
+    for step in steps(workflow):
+        if step.get("uses", "").startswith("actions/checkout@"):
+            assert step["with"]["persist-credentials"] is False
+        assert "${{ github.event" not in step.get("run", ""), "what strangers write never becomes a script"
+    assert "secrets." not in file.read_text("utf-8")
+
+
+def test_C6_contributions_run_on_pull_request_alone():
+    workflow = yaml.safe_load((FOLDER / "validate.yml").read_text("utf-8"))
+    assert list(triggers(workflow)) == ["pull_request"]
+    assert "repository/**" in triggers(workflow)["pull_request"]["paths"]
+    (upload,) = [step for step in steps(workflow) if "upload-artifact" in step.get("uses", "")]
+    assert "build/site" in upload["with"]["path"].split(), "the pages come with their styles"
+
+
+def test_C6_the_site_is_built_for_the_address_where_it_will_be():
+    workflow = yaml.safe_load((FOLDER / "pages.yml").read_text("utf-8"))
+    build, deploy = workflow["jobs"]["build"], workflow["jobs"]["deploy"]
+    assert build["permissions"] == {"contents": "read", "pages": "read"}
+    assert deploy["needs"] == "build"
+    assert deploy["permissions"] == {"pages": "write", "id-token": "write"}
+    (step,) = [step for step in build["steps"] if "HEXALAB_SITE_ADDRESS" in step.get("env", {})]
+    assert "--strict" in step["run"]
