@@ -19,7 +19,10 @@ def parse(piece: bytes, dtype: DTypeLike) -> tuple[NDArray[Any], bool]:
     """The numbers that a piece of text begins with, and whether something else stopped them.
 
     No count is passed to numpy: where the text has fewer numbers, it returns memory that was never written.
+    Nor white space alone, in which it finds a zero.
     """
+    if piece.isspace():
+        return np.empty(0, dtype=dtype), False
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", DeprecationWarning)
         try:
