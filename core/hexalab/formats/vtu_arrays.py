@@ -144,10 +144,9 @@ class Arrays:
         head = self.header.itemsize
         if not self.compressor:
             units = (head + 2) // 3 * 4
-            apart = b"=" in text[:units]
             first = self.base64(text[:units], element, what)
             (size,) = self.integers(memoryview(first), 1, element, what)
-            if apart:
+            if len(first) == head:
                 rest = self.base64(text[units : units + (size + 2) // 3 * 4], element, what)
                 return self.exactly(memoryview(rest), size, element, what)
             whole = self.base64(text[: (size + head + 2) // 3 * 4], element, what)

@@ -28,7 +28,7 @@ MODES = [
 
 
 @pytest.mark.parametrize("mode", MODES)
-@pytest.mark.parametrize("make", [mixed, lambda: grid(12, 13, 14)])
+@pytest.mark.parametrize("make", [mixed, lambda: grid(12, 13, 14), lambda: grid(1, 1, 1)])
 def test_R4_files_of_vtk(tmp_path: Path, mode: dict[str, str], make) -> None:
     sample = make()
     data = unstructured_grid(sample)
