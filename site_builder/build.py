@@ -172,7 +172,7 @@ def build(
 def _address_collections(catalogue: Catalogue) -> None:
     """A collection that is published nowhere else is cited by its page here, once the site has a lasting address."""
     for source in catalogue.sources:
-        if source.own and not source.doi and not source.arxiv and not catalogue.address.startswith(LOCAL):
+        if source.own and not catalogue.address.startswith(LOCAL):
             source.reference.setdefault("URL", catalogue.address + source.page)
 
 
@@ -270,10 +270,15 @@ def _add_indexes(catalogue: Catalogue, output: Output, pages: list[str], picture
 
 
 def _add_viewer(pages: Pages, output: Output, extras: dict[str, str]) -> None:
-    from .runtime import assemble
+    try:
+        from .runtime import assemble
+
+        report = assemble(output.root)
+    except (ImportError, RuntimeError, OSError) as error:
+        message = f"the viewer can't be put together: {error}; `make build` installs what it needs"
+        raise BuildError([Problem("error", "site_builder/runtime", 0, "", message)]) from error
     from .viewer_tables import viewer_tables
 
-    report = assemble(output.root)
     html = pages.viewer(
         script="../" + report.scripts["main"],
         worker="../" + report.scripts["worker"],

@@ -31,7 +31,7 @@ def _first(tests: list[bool]) -> int:
 
 
 def _origin(mesh: MeshEntry) -> int:
-    return 1 if mesh.kind == "url" else 0
+    return 0 if mesh.source.own else 1
 
 
 def _cells(mesh: MeshEntry) -> int:

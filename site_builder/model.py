@@ -195,8 +195,13 @@ class Source:
 
     @property
     def own(self) -> bool:
-        """Whether its meshes lie in the repository."""
-        return all(mesh.kind != "url" for mesh in self.meshes)
+        """Whether it is a collection that is published nowhere else: what a paper or a DOI stands for is not."""
+        return self.reference["type"] == "dataset" and not self.doi and not self.arxiv
+
+    @property
+    def elsewhere(self) -> bool:
+        """Whether no mesh of it lies in the repository."""
+        return all(mesh.kind == "url" for mesh in self.meshes)
 
     @property
     def belongs_to_authors(self) -> bool:

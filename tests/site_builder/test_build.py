@@ -1,6 +1,7 @@
 """Building: the same bytes each time, nothing done twice, nothing left over, nothing wrong let through."""
 
 import hashlib
+import sys
 from pathlib import Path
 
 import pytest
@@ -116,3 +117,9 @@ def test_C7_a_strict_build_stops_at_a_warning(demo, tmp_path, edit):
     ]
     with pytest.raises(BuildError, match="neither a DOI"):
         build(demo, tmp_path / "site", strict=True, runtime=False)
+
+
+def test_C7_a_viewer_that_cannot_be_put_together_is_told_in_a_line(demo, tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "site_builder.runtime", None)
+    with pytest.raises(BuildError, match=r"the viewer can't be put together: .*`make build`"):
+        build(demo, tmp_path / "site", pictures=False)

@@ -66,9 +66,16 @@ def test_C6_a_contribution_is_refused_mended_accepted_and_shown(contribution, de
     build(demo, out, strict=True, runtime=False)
     page = (out / "sources/doe-2025-hexes-everyone/three/index.html").read_text("utf-8")
     assert "The result for model number 2." in page
+    assert "They were given to the catalogue to be looked at." in page
+    assert "holds no copy" not in page
     assert '"@type": "Dataset"' in page
     assert "doe-2025-hexes-everyone" in (out / "index.html").read_text("utf-8")
     rows = json.loads((out / "search.json").read_text())
+    contributed = [
+        index for index, source in enumerate(rows["sources"]) if source[0] == "doe-2025-hexes-everyone"
+    ]
+    origins = {rows["facets"][0]["options"][int(m[9][0])] for m in rows["meshes"] if [m[0]] == contributed}
+    assert origins == {"published"}, "a paper's meshes aren't our own, wherever they lie"
     assert "Hexes for Everyone" in [source[1] for source in rows["sources"]]
     listed = json.loads((out / "catalogue.json").read_text())["sources"]
     (source,) = [source for source in listed if source["doi"] == "10.5555/hexes.2025"]
