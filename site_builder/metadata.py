@@ -60,16 +60,21 @@ def catalogue_json_ld(catalogue: Catalogue) -> JsonLd:
 
 
 def source_json_ld(catalogue: Catalogue, source: Source) -> JsonLd:
-    """A source as a schema.org Dataset."""
+    """A source as a schema.org Dataset.
+
+    A paper's DOI and page are what to cite; they name the data themselves only where the data are what is published.
+    """
+    page = catalogue.address + source.page
+    is_data = source.reference["type"] == "dataset"
     return {
         **_dataset(catalogue, source),
         "name": source.title,
         "description": describe_source(source),
-        "url": catalogue.address + source.page,
-        "identifier": source.doi_address or catalogue.address + source.page,
+        "url": page,
+        "identifier": (source.doi_address if is_data else "") or page,
         "variableMeasured": ["Scaled Jacobian", "number of cells", "valence of interior edges"],
         "distribution": [_download(catalogue, mesh) for mesh in source.meshes],
-        **({"sameAs": source.web} if source.web else {}),
+        **({"sameAs": source.web} if source.web and is_data else {}),
     }
 
 

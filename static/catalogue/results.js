@@ -16,10 +16,9 @@ export function cards(rows, root) {
     link.href = pageOf(row, root);
     link.append(picture(row, root), element("span", "card-name", row.name));
     const facts = element("span", "card-facts");
-    facts.append(
-      element("span", "", row.cells === 1 ? "1 cell" : `${number(row.cells)} cells`),
-      element("span", "", `min SJ ${decimal(row.low)}`),
-    );
+    if (row.cells !== null)
+      facts.append(element("span", "", row.cells === 1 ? "1 cell" : `${number(row.cells)} cells`));
+    if (row.low !== null) facts.append(element("span", "", `min SJ ${decimal(row.low)}`));
     if (row.codes[3] === "2") facts.append(element("span", "mark mark-invalid", "invalid"));
     const card = element("li", "card");
     card.append(link, element("span", "card-source", row.source.short), facts);

@@ -192,6 +192,7 @@ def test_C2_a_mesh_page_has_its_facts(site):
 def test_C2_what_is_not_known_is_not_guessed(site):
     page = pages(site)["sources/far/second/index.html"]
     assert "4,200" in page.text
+    assert "min SJ –" not in pages(site)["index.html"].text
     assert "Nobody has measured this mesh" in page.text
     assert "Quality" not in page.text
     row = next(row for row in page.text.split("Vertices")[1:])
@@ -219,6 +220,7 @@ def test_C3_json_ld_has_what_schema_org_and_dataset_search_ask_for(site):
             "datePublished",
         ):
             assert data[key], (name, key)
+        assert data["identifier"] == data["url"], "a paper's DOI isn't the data's"
         assert data["url"] == "https://meshes.example.org/hex/" + name.removesuffix("index.html")
         assert all(
             creator["@type"] in ("Person", "Organization") and creator["name"] for creator in data["creator"]
@@ -229,6 +231,13 @@ def test_C3_json_ld_has_what_schema_org_and_dataset_search_ask_for(site):
             assert download["encodingFormat"]
         assert ("license" in data) == ("sources/small" in name)
         assert ("conditionsOfAccess" in data) == ("sources/far" in name)
+
+
+def test_C3_a_papers_doi_is_what_to_cite(site):
+    for page in ("far", "far/second"):
+        assert json_ld(pages(site)[f"sources/{page}/index.html"])["citation"] == (
+            "https://doi.org/10.5555/meshes.2021.7"
+        )
 
 
 def test_C3_no_two_pages_describe_themselves_alike(site):

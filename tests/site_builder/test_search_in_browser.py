@@ -52,6 +52,9 @@ def test_C2_words_filters_and_sorting_find_meshes(page):
     page.get_by_role("searchbox").fill("nunez first")
     found(page, "1 mesh")
     assert names(page) == ["one folder / first"]
+    page.get_by_role("searchbox").fill("second")
+    found(page, "1 mesh")
+    assert page.locator(".card-facts").all_inner_texts() == ["4,200 cells"], "no dash for what isn't known"
     page.get_by_role("searchbox").fill("")
     found(page, "5 meshes")
     page.get_by_text("invalid", exact=False).locator("visible=true").first.click()
@@ -133,7 +136,8 @@ def test_V8_nothing_moves_and_nothing_sticks_out(page, path, width):
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize(
-    "path", ["index.html", "sources/far/index.html", "sources/small/parts-turned/index.html"]
+    "path",
+    ["index.html", "index.html#q=far", "sources/far/index.html", "sources/small/parts-turned/index.html"],
 )
 def test_V8_contrast_names_and_structure_for_everybody(chromium, address, path, scheme):
     if not AXE.exists():
@@ -141,6 +145,8 @@ def test_V8_contrast_names_and_structure_for_everybody(chromium, address, path, 
     context = chromium.new_context(base_url=address, color_scheme=scheme, bypass_csp=True)
     page = context.new_page()
     page.goto(path)
+    if "#" in path:
+        page.locator(".chip.is-none").first.wait_for()
     page.add_script_tag(path=AXE)
     result = page.evaluate("() => axe.run()")
     found = {row["id"]: [node["html"][:120] for node in row["nodes"]] for row in result["violations"]}
