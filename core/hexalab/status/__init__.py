@@ -60,10 +60,12 @@ def parse(text: str) -> Any:
         If it is not JSON; line and column are told.
     """
     try:
-        return json.loads(text)
+        return json.loads(text.removeprefix("\N{BYTE ORDER MARK}"))
     except json.JSONDecodeError as error:
         place = f"line {error.lineno}, column {error.colno}"
         raise HexaLabError(f"the settings are not JSON: {place}: {error.msg}") from None
+    except ValueError:
+        raise HexaLabError("the settings hold a number of some thousand digits") from None
     except RecursionError:
         raise HexaLabError("the settings are nested too deeply") from None
 

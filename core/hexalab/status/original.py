@@ -27,6 +27,8 @@ MAPS = {"Parula": "parula", "Jet": "jet", "RedBlue": "red_blue"}
 GAP_OF_CRACK = 0.6
 RADIUS_OF_ROUNDING = 0.3
 FIELD_OF_VIEW = 30
+LARGEST = 1e100
+"""Numbers beyond it are none of a document that was written by a program."""
 
 
 @dataclass(frozen=True)
@@ -112,7 +114,7 @@ def _camera(camera: dict[str, Any], mesh: OpenMesh | None, problems: list[Proble
     if ours or "offset" in camera:
         ours.update(projection="perspective", field_of_view=FIELD_OF_VIEW)
     offset = _vector(camera["offset"]) if "offset" in camera else None
-    if isinstance(offset, list) and all(map(_is_number, offset)):
+    if isinstance(offset, list) and len(offset) == 3 and all(map(_is_number, offset)):
         if mesh:
             places = zip(offset, mesh.whole_centre, mesh.centre, strict=True)
             ours["target"] = [(shift + whole - own) / mesh.diagonal for shift, whole, own in places]
@@ -257,7 +259,8 @@ def _vector(value: Any) -> Any:
 
 
 def _is_number(value: Any) -> TypeGuard[float]:
-    return isinstance(value, int | float) and not isinstance(value, bool)
+    """Whether it is a number that can be calculated with: JSON bounds neither floats nor integers."""
+    return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= LARGEST
 
 
 def _needs_mesh(path: str, found: Any) -> Problem:

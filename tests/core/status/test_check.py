@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from hexalab import status
+from hexalab import HexaLabError, status
 from hexalab.status.schema import Schema
 
 VALIDATOR = jsonschema.Draft202012Validator(status.SCHEMA)
@@ -188,3 +188,13 @@ def test_S1_any_json_is_answered(value: Any) -> None:
     for problem in problems:
         assert set(problem.as_dict()) == {"path", "found", "expected"}
         assert problem.expected in str(problem)
+
+
+def test_S2_text_that_is_no_json_is_told_as_such() -> None:
+    for text in ("", "{", "[" * 100_000, "9" * 5000, '{"version": ' + "9" * 5000 + "}"):
+        with pytest.raises(HexaLabError):
+            status.parse(text)
+
+
+def test_S2_a_byte_order_mark_before_the_text_is_no_error() -> None:
+    assert status.parse('\N{BYTE ORDER MARK}{"silhouette": 0.5}') == {"silhouette": 0.5}

@@ -163,3 +163,20 @@ def test_S4_wrong_values_are_named_and_the_rest_applies() -> None:
         "filters.planes.items[0].normal",
     }
     assert partial["colour"] == {"map": "jet"}
+
+
+@pytest.mark.parametrize(
+    "odd", [10**400, -(10**400), 1e400, math.nan, [], [1, 2], [1, 2, 3, 4], {}, {"x": 10**400}]
+)
+def test_S4_odd_numbers_and_vectors_are_named(odd: Any) -> None:
+    for section, key in (
+        ("camera", "offset"),
+        ("camera", "distance"),
+        ("rendering", "crack_size"),
+        ("rendering", "rounding_radius"),
+    ):
+        partial, problems = status.read({section: {key: odd, "singularity_mode": 2}}, MESH)
+        assert problems
+        assert partial.get("irregular", {"mode": 2}) == {"mode": 2}
+    for filters in ({"Quality": {"min": odd, "max": 1}}, {"Plane": {"offset": odd}}):
+        status.read({"filters": filters, "materials": {"filtered_surface_opacity": odd}}, MESH)
