@@ -176,6 +176,11 @@ def _mesh_problems(mesh: MeshEntry, index: int) -> Iterator[tuple[FieldPath, str
     if mesh.kind == "url":
         if not mesh.remote:
             yield here, f"{mesh.key!r} is no web address, nor is it one with base_url before it"
+        elif not mesh.remote.startswith("https:"):
+            yield (
+                here,
+                f"{mesh.remote} begins with http:, from where no page may fetch a mesh; give an https: address",
+            )
         return
     parts = mesh.path.split("/")
     if mesh.path.startswith("/") or "\\" in mesh.path or any(part in ("", ".", "..") for part in parts):

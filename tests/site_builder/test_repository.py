@@ -2,6 +2,7 @@
 
 import json
 import os
+import time
 
 import pytest
 
@@ -121,6 +122,12 @@ def test_C1_the_demo_is_read_without_a_problem(demo):
             "https://[::1",
             "meshes[1].url: 'https://[::1/second.vtk' is no web",
         ),
+        (
+            FAR,
+            "https://elsewhere",
+            "http://elsewhere",
+            "meshes[1].url: http://elsewhere.example.org/second.vtk begins",
+        ),
         (SMALL, "file: pair.mesh", f"file: {'long' * 60}.mesh", "a name of more than 200 bytes"),
     ],
 )
@@ -134,6 +141,16 @@ def test_C1_an_error_names_file_line_and_field(demo, file, old, new, expected):
         assert any("not YAML" in problem or "twice" in problem for problem in found)
     else:
         assert any(expected in problem for problem in found), found
+
+
+def test_C1_a_long_text_is_refused_at_once(demo):
+    text = (demo / SMALL).read_text("utf-8")
+    assert "contributors: [Somebody Else]" in text
+    endless = f'contributors: ["{"x" * 500_000}\\n\\n"]'
+    (demo / SMALL).write_text(text.replace("contributors: [Somebody Else]", endless), "utf-8")
+    began = time.perf_counter()
+    assert any("contributors[0]: found 500002 characters" in problem for problem in problems_of(demo))
+    assert time.perf_counter() - began < 5
 
 
 def test_C1_two_sources_may_not_share_a_doi(demo):
