@@ -36,6 +36,19 @@ KINDS_OF_SIZE = {
 """By the number of nodes in an element type's name."""
 
 
+NOT_FOLLOWED = {
+    "SYSTEM": "Nodes are shown where their numbers say: *SYSTEM, which moves them, is not followed.",
+    "INSTANCE": "Parts are shown where they lie: instances are neither moved nor repeated.",
+} | {
+    name: f"*{name} makes {what} of others: these are not shown."
+    for name, what in (
+        ("NGEN", "nodes"), ("NFILL", "nodes"), ("NCOPY", "nodes"), ("NMAP", "nodes"),
+        ("ELGEN", "elements"), ("ELCOPY", "elements"),
+    )
+}  # fmt: skip
+"""Keywords that change the mesh and are not followed: what is noted of each."""
+
+
 @dataclass
 class Part:
     """A scope of node numbers: blocks of nodes, and of elements by size."""
@@ -68,21 +81,23 @@ class Reader:
             raise self.text.error("the file has no keyword such as *NODE", 0)
         ends = [match.start() for match in found[1:]] + [len(self.keywords)]
         for match, end in zip(found, ends, strict=True):
-            words = [word.strip() for word in match[0].decode("latin-1").upper().split(",")]
-            name = words[0].lstrip("*").strip()
+            words = [word.strip() for word in match[0].decode("latin-1").split(",")]
+            name = words[0].lstrip("*").strip().upper()
             pairs = (word.partition("=") for word in words[1:])
-            options = {key.strip(): value.strip() for key, _, value in pairs}
-            if name == "NODE":
+            options = {key.strip().upper(): value.strip() for key, _, value in pairs}
+            if "INPUT" in options and name in ("INCLUDE", "NODE", "ELEMENT"):
+                self.out.note(f"The file includes {options['INPUT']}, which was not read.")
+            if name in NOT_FOLLOWED:
+                self.out.note(NOT_FOLLOWED[name])
+            elif name == "NODE":
+                if options.get("SYSTEM", "R").upper() != "R":
+                    self.out.note(NOT_FOLLOWED["SYSTEM"])
                 self.nodes(match.end(), end)
             elif name == "ELEMENT":
-                self.elements(options.get("TYPE", ""), match.end(), end)
+                self.elements(options.get("TYPE", "").upper(), match.end(), end)
             elif name in ("PART", "END PART"):
                 self.part = Part()
                 self.parts.append(self.part)
-            elif name == "INCLUDE":
-                self.out.note(f"The file includes {options.get('INPUT', 'another')}, which was not read.")
-            elif name == "INSTANCE":
-                self.out.note("Parts are shown where they lie: instances are neither moved nor repeated.")
         if not any(part.tags for part in self.parts):
             raise self.text.error("the file has no *NODE section", 0)
         self.join()

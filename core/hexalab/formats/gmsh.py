@@ -71,7 +71,7 @@ class Reader:
         elif word == b"$Entities" and isinstance(self.version, Gmsh4):
             self.version.entities()
         elif word in (b"$NodeData", b"$ElementData"):
-            self.data.append(read_data(self.numbers, word))
+            self.values(word)
         else:
             end = text.data.find(b"$End" + word[1:], text.position)
             if end < 0:
@@ -83,6 +83,18 @@ class Reader:
                 f"{shown(end_word)} stands where $End{word[1:40].decode('latin-1')} was expected",
                 text.position - len(end_word),
             )
+
+    def values(self, word: bytes) -> None:
+        """Read a section of values; what can't be read costs the values, not the mesh."""
+        text = self.numbers.text
+        end = text.data.find(b"$End" + word[1:], text.position)
+        try:
+            self.data.append(read_data(self.numbers, word))
+        except MeshReadError as error:
+            if end < 0:
+                raise
+            text.position = end
+            self.out.note(f"Values were left out. {error}.")
 
     def cells(self, numbering: Numbering) -> None:
         """Turn elements into blocks of cells and hand over the attributes."""

@@ -73,7 +73,24 @@ def test_R5_parts_have_numbers_of_their_own() -> None:
     mesh = read_bytes(text.encode(), "x.inp")
     assert mesh.vertex_count == 16
     assert mesh.cells.tolist() == [list(range(8)), list(range(8, 16))]
-    assert len(mesh.notes) == 2 and "MORE.INP" in mesh.notes[1].upper()
+    assert len(mesh.notes) == 2 and "more.inp" in mesh.notes[1]
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        ("*SYSTEM\n1, 0, 0\n", "*SYSTEM"),
+        ("*Node, system=C\n9001, 1, 90, 0\n", "*SYSTEM"),
+        ("*NGEN\n1, 2, 1\n", "*NGEN makes nodes"),
+        ("*ElGen, ELSET=all\n11, 2, 8, 1\n", "*ELGEN makes elements"),
+        ("*NODE, INPUT=Nodes.inp\n", "Nodes.inp"),
+        ("*ELEMENT, TYPE=C3D8, INPUT=Elements.inp\n", "Elements.inp"),
+    ],
+)
+def test_R5_what_is_not_followed_is_noted(line: str, words: str) -> None:
+    mesh = read_bytes((INP_NODES + line + INP_CELLS).encode(), "x.inp")
+    assert mesh.cell_count == 1
+    assert [words in note for note in mesh.notes] == [True]
 
 
 def test_R5_files_of_meshio_and_gmsh(tmp_path: Path) -> None:

@@ -92,6 +92,21 @@ def test_R5_R8_files_of_meshio(tmp_path: Path, file_format: str, binary: bool, m
         np.testing.assert_allclose(found.point_data["shift"], sample.point_data["shift"], rtol=1e-12)
 
 
+@pytest.mark.parametrize("old", ["33 7.5", "3\n0\n1\n2\n33"])
+def test_R8_values_that_cannot_be_read_do_not_cost_the_mesh(old: str) -> None:
+    """As meshio 5.3 writes them with numpy 2: `1 np.float64(7.5)`."""
+    data = '$NodeData\n1\n"a"\n1\n0.5\n3\n0\n1\n2\n33 7.5\n2 -1\n$EndNodeData\n'
+    rest = '$ElementData\n1\n"flow"\n0\n3\n0\n1\n1\n4 5\n$EndElementData\n'
+    bad = data.replace(old, "33 np.float64(7.5)")
+    mesh = read_bytes((HEX_22 + bad + rest).encode(), "x.msh")
+    assert mesh.kind_counts == {"hexahedron": 1, "tetrahedron": 1}
+    assert set(mesh.point_data) == set()
+    assert "flow" in mesh.cell_data
+    assert any(note.startswith("Values were left out") for note in mesh.notes)
+    with pytest.raises(MeshReadError):
+        read_bytes((HEX_22 + bad.replace("$EndNodeData\n", "")).encode(), "x.msh")
+
+
 def test_R8_data_by_hand() -> None:
     data = """$NodeData
 1
