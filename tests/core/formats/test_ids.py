@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from itertools import product
 
 import numpy as np
 import pytest
 
+from hexalab.errors import MeshReadError
+from hexalab.formats import read_bytes
 from hexalab.formats.byte_order import STRETCH, as_coordinates, native, stretches
 from hexalab.formats.ids import LARGEST_ID, as_int32
 from hexalab.formats.vtk_cells import evenly
@@ -75,3 +78,14 @@ def test_R3_offsets_that_rise_evenly() -> None:
             other = offsets.copy()
             other[wrong] += 1
             assert not evenly(placed(other, 1), 8)
+
+
+@pytest.mark.parametrize("wrong", [2**31 - 2, 2**31, 5 * 10**9, -(5 * 10**9), 2**62, 10**30])
+def test_R10_a_number_that_no_vertex_has_is_not_told_wrongly(wrong: int) -> None:
+    points = "0 0 0 0 " * 8
+    text = f"MeshVersionFormatted 2 Dimension 3 Vertices 8 {points} Hexahedra 1 1 2 3 4 5 6 7 {wrong} 0 End"
+    with pytest.raises(MeshReadError) as caught:
+        read_bytes(text.encode(), "x.mesh")
+    assert "expected 1 to 8" in str(caught.value)
+    told = [int(number) for number in re.findall(r"vertex (-?\d+)", str(caught.value))]
+    assert told in ([], [wrong])
