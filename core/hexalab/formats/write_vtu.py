@@ -59,7 +59,8 @@ def base64(data: bytes) -> bytes:
 
 
 def escaped(text: str) -> str:
-    """The text as the value of an XML attribute."""
+    """A name as the value of an XML attribute, which is not empty and has no control characters."""
+    text = "".join(" " if c < " " and c != "\n" else c for c in text) or "unnamed"
     for character, entity in (("&", "&amp;"), ("<", "&lt;"), (">", "&gt;"), ('"', "&quot;"), ("\n", "&#10;")):
         text = text.replace(character, entity)
     return text

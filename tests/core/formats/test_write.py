@@ -98,6 +98,18 @@ def test_A1_a_mesh_without_cells_in_a_kind_and_odd_names() -> None:
         assert 'quote " <&>' in back.cell_data
 
 
+@pytest.mark.parametrize("name", ["", "\t", "a\tb", "bell\x07", "nul\0", "é <&>"])
+def test_A1_vtk_reads_vtu_files_whatever_their_arrays_are_called(tmp_path: Path, name: str) -> None:
+    mesh = sample_mesh(mixed())
+    mesh.cell_data = {name: np.arange(5.0)}
+    write(mesh, tmp_path / "x.vtu")
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(tmp_path / "x.vtu"))
+    reader.Update()
+    assert reader.GetOutput().GetNumberOfCells() == 5
+    assert vtk_to_numpy(reader.GetOutput().GetCellData().GetArray(0)).tolist() == [0, 1, 2, 3, 4]
+
+
 def test_A1_unknown_format_is_refused() -> None:
     with pytest.raises(MeshWriteError, match="mesh, vtk, vtu"):
         write_bytes(sample_mesh(grid(1, 1, 1)), "msh")
