@@ -6,6 +6,7 @@ import sys
 from argparse import ArgumentParser, Namespace
 
 from .. import read, write
+from ..formats import left_behind
 from .tables import count
 
 
@@ -17,10 +18,12 @@ def configure(parser: ArgumentParser) -> None:
 
 
 def run(arguments: Namespace) -> int:
-    """Read, write, and say what was written; what reading assumed or left out goes to stderr."""
+    """Read, write, and say what was written; what reading or writing left out goes to stderr."""
     mesh = read(arguments.source)
     write(mesh, arguments.target)
-    for note in mesh.notes:
+    lost = left_behind(mesh, arguments.target)
+    left = [f"Attributes for which {arguments.target} has no place: {', '.join(lost)}."] if lost else []
+    for note in mesh.notes + left:
         print(f"hexalab: {arguments.source}: {note}", file=sys.stderr)
     print(f"{arguments.target}: {count(mesh.cell_count)} cells, {count(mesh.vertex_count)} vertices")
     return 0

@@ -15,7 +15,7 @@ from .container import unwrapped
 from .registry import FORMATS, Format, choose
 from .source import Source
 
-__all__ = ["FORMATS", "Format", "read", "read_bytes", "write", "write_bytes"]
+__all__ = ["FORMATS", "Format", "left_behind", "read", "read_bytes", "write", "write_bytes"]
 
 
 def read_bytes(data: bytes | bytearray | memoryview, name: str = "") -> Mesh:
@@ -85,12 +85,30 @@ def write(mesh: Mesh, path: str | os.PathLike[str]) -> None:
         No format that can be written has that ending, or the file can't be written.
     """
     path = Path(path)
+    row = _written_as(path)
+    try:
+        path.write_bytes(write_bytes(mesh, row.id))
+    except OSError as error:
+        raise MeshWriteError(f"{path} can't be written: {error.strerror or error}") from None
+
+
+def left_behind(mesh: Mesh, path: str | os.PathLike[str]) -> list[str]:
+    """Names of the mesh's attributes for which the format of a file to be written has no place.
+
+    Raises
+    ------
+    MeshWriteError
+        No format that can be written has the path's ending.
+    """
+    keeps = _written_as(Path(path)).keeps
+    names = dict.fromkeys([*mesh.point_data, *mesh.cell_data])
+    return [] if keeps is None else [name for name in names if name not in keeps]
+
+
+def _written_as(path: Path) -> Format:
+    """The format that the path's ending tells."""
     for row in FORMATS:
         if row.writer and path.suffix.lower() in row.extensions:
-            try:
-                path.write_bytes(row.writer(mesh))
-            except OSError as error:
-                raise MeshWriteError(f"{path} can't be written: {error.strerror or error}") from None
-            return
+            return row
     known = ", ".join(extension for row in FORMATS if row.writer for extension in row.extensions)
     raise MeshWriteError(f"{path.name}: meshes can't be written with this ending, expected one of {known}")

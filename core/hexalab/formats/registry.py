@@ -35,6 +35,8 @@ class Format:
         Source in, Mesh out; raises MeshReadError.
     writer : callable or None
         Mesh in, bytes out.
+    keeps : tuple of str or None
+        The attributes that it has a place for when written; None for all.
     """
 
     id: str
@@ -43,6 +45,7 @@ class Format:
     recognise: re.Pattern[bytes]
     reader: Callable[[Source], Mesh]
     writer: Callable[[Mesh], bytes] | None = None
+    keeps: tuple[str, ...] | None = None
 
 
 FORMATS: tuple[Format, ...] = (
@@ -53,6 +56,7 @@ FORMATS: tuple[Format, ...] = (
         re.compile(rb"(?:\s|\xef\xbb\xbf|#[^\r\n]*[\r\n])*MeshVersionFormatted\b", re.I),
         medit.read,
         write_medit.write,
+        keeps=(medit.REFERENCE,),
     ),
     Format(
         "vtk",

@@ -14,9 +14,10 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
-from hexalab import cli, read
+from hexalab import cli, read, write
 from hexalab.cli.tables import number
 from hexalab.quality import METRICS
 
@@ -176,6 +177,20 @@ def test_R9_what_reading_assumed_is_told_when_converting(
     assert code == 0
     assert "turned round" in err
     assert read(tmp_path / "out.vtk").notes == []
+
+
+@pytest.mark.parametrize(("ending", "lost"), [("mesh", True), ("vtu", False)])
+def test_R8_attributes_that_a_format_cannot_hold_are_told(
+    run: Run, mesh_file: Path, tmp_path: Path, ending: str, lost: bool
+) -> None:
+    mesh = read(mesh_file)
+    mesh.cell_data = {"reference": np.arange(mesh.cell_count), "stress": np.ones(mesh.cell_count)}
+    write(mesh, tmp_path / "in.vtk")
+    code, _, err = run("convert", tmp_path / "in.vtk", tmp_path / f"out.{ending}")
+    assert code == 0
+    assert ("stress" in err) == lost
+    assert "reference" not in err
+    assert ("stress" in read(tmp_path / f"out.{ending}").cell_data) != lost
 
 
 def test_A2_many_layers_are_cut_short(run: Run, grid: Callable[..., bytes], tmp_path: Path) -> None:
