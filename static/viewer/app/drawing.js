@@ -50,6 +50,10 @@ export class Drawing {
       else if (this.#facts.get("planeShown")) this.#showPlane();
     });
     facts.on("planeShown", () => this.#showPlane());
+    facts.on("statistics", (/** @type {any} */ statistics) => {
+      const found = statistics?.scaled_jacobian;
+      scene.outward = found !== undefined && found.min > 0 && found.not_finite === 0;
+    });
   }
 
   /** Whether the core holds the mesh on the screen. @param {boolean} ready */
@@ -113,6 +117,7 @@ export class Drawing {
       timings: { ...this.#facts.get("timings"), upload },
     });
     if (this.#facts.get("planeShown")) this.#showPlane();
+    scene.flush();
   }
 
   /** The translucent plane, while its slider is held. */

@@ -105,12 +105,14 @@ export class Lighting {
    * Sets the surface's shader for the next picture, and draws the screen-space term where it is used.
    *
    * @param {import("three").PerspectiveCamera | import("three").OrthographicCamera} camera
-   * @param {{ width: number, height: number, perUnit: number }} view
+   * @param {{ width: number, height: number, perUnit: number, draft: boolean }} view draft: no screen-space term, which would
+   *   take longer than all else; a head light stands in until the other is there
    */
-  prepare(camera, { width, height, perUnit }) {
+  prepare(camera, { width, height, perUnit, draft }) {
     const { object, mode } = this;
     const uniforms = this.#layer.uniforms;
     this.#layer.lighting = mode;
+    if (draft) return this.#prepareDraft();
     let share = mode === "object_space_ao" && object.count >= ENOUGH ? 1 : 0;
     let cover = mode === "screen_space_ao" ? 1 : 0;
     if (mode === "object_space_ao" && object.count < FADED && this.#layer.surface) {
@@ -131,6 +133,15 @@ export class Lighting {
     uniforms.screenShare.value = cover;
     if (cover > 0 && this.#screen.texture) uniforms.screenOpenness.value = this.#screen.texture;
     uniforms.screenScale.value.set(1 / width, 1 / height);
+  }
+
+  #prepareDraft() {
+    const { object, mode } = this;
+    const gathered = mode === "object_space_ao" && object.count >= ENOUGH;
+    if (mode !== "none" && !gathered) this.#layer.lighting = "direct";
+    this.#layer.setOcclusion(gathered ? 1 : 0, gathered ? object.texture : null);
+    this.#layer.uniforms.screenShare.value = 0;
+    this.#view = "";
   }
 
   /**

@@ -1,4 +1,5 @@
 import { VERTEX_COLUMNS, vertexRows, vertexTexel } from "../scene/texel.js";
+import { isTriangle } from "../scene/triangle.js";
 
 /** How far the point where a flat face's corner gathers light is drawn from the corner to the face's middle. */
 export const PULL = 0.15;
@@ -44,21 +45,6 @@ export function gatheringPoints(surface, plates) {
     words[at + 3] = (word & ~3) | (plates ? plates.classes[v] : 0);
   }
   return { words, rows, box };
-}
-
-/**
- * Whether a face's last two corners coincide.
- *
- * @param {Float32Array} positions
- * @param {number} base
- * @returns {boolean}
- */
-function isTriangle(positions, base) {
-  return (
-    positions[base + 6] === positions[base + 9] &&
-    positions[base + 7] === positions[base + 10] &&
-    positions[base + 8] === positions[base + 11]
-  );
 }
 
 /**

@@ -48,6 +48,11 @@ export class CameraRig {
     return new Vector3(0, 0, this.distance).applyQuaternion(this.orientation).add(this.target);
   }
 
+  /** Whether the eye stands outside of all that is drawn, so that nothing is cut open by the near plane. @returns {boolean} */
+  get outside() {
+    return this.projection === "orthographic" || this.eye.length() > SCENE_RADIUS * 1.01;
+  }
+
   /** @returns {import("./types.js").CameraStatus} */
   get status() {
     const direction = new Vector3(0, 0, -1).applyQuaternion(this.orientation);

@@ -3,6 +3,7 @@ import { Gizmo } from "./gizmo.js";
 import { HighlightLayer } from "./highlight_layer.js";
 import { IrregularLayer } from "./irregular_layer.js";
 import { LinesLayer } from "./lines_layer.js";
+import { fading } from "./lines_shader.js";
 import { PlaneLayer } from "./plane_layer.js";
 import { release } from "./release.js";
 import { SilhouetteLayer } from "./silhouette_layer.js";
@@ -10,6 +11,8 @@ import { SurfaceLayer } from "./surface_layer.js";
 
 /** Ink of a surface edge by the number of shown cells around it: darkness-coded edges. Row 0: all alike. */
 const EDGE_STYLES = [1, 0.3, 0.65, 1].map((ink) => ({ colour: "#000000", ink }));
+
+const NO_EDGES = new Float32Array(0);
 
 /** Parts of the status that change how the layers look. */
 const LOOKS = /** @type {const} */ ([
@@ -36,6 +39,10 @@ export class Layers {
   #painter;
   /** @type {Map<string, string>} */
   #looks = new Map();
+  /** Whether all cells are known to be valid at their corners, so that their faces look outward. */
+  outward = false;
+  /** Whether the lines are those of the present surface. */
+  #edged = false;
 
   /** @param {import("./painter.js").Painter} painter */
   constructor(painter) {
@@ -49,8 +56,7 @@ export class Layers {
   /** @param {import("./types.js").Surface | null} surface */
   setSurface(surface) {
     this.surface.set(surface);
-    this.edges.set(surface?.edges ?? new Float32Array(0), surface?.edge_cells ?? null);
-    this.edges.mesh.visible = this.edges.count > 0;
+    this.#edged = false;
     this.highlight.set(surface, null);
   }
 
@@ -89,15 +95,43 @@ export class Layers {
     return true;
   }
 
-  /** @param {Parameters<LinesLayer["view"]>[0]} view */
+  /** Edges of the surface. @returns {number} */
+  get edgeCount() {
+    return (this.surface.surface?.edges?.length ?? 0) / 6;
+  }
+
+  /** @param {Parameters<LinesLayer["view"]>[0] & { draft: boolean, outside: boolean }} view outside: so stands the eye */
   view(view) {
+    const { surface } = this.surface;
+    const edged = this.edgeCount > 0;
+    if (!view.draft && !this.#edged) {
+      this.edges.set(surface?.edges ?? NO_EDGES, surface?.edge_cells ?? null);
+      this.#edged = true;
+    }
+    this.edges.mesh.visible = edged && !view.draft;
+    this.surface.setDraft(view.draft, edged ? this.#draftInk(view) : 0);
+    this.surface.fronts = this.outward && view.outside;
+    this.silhouette.draft = view.draft;
     for (const layer of [this.edges, this.irregular, this.plane, this.highlight]) layer.view(view);
+  }
+
+  /**
+   * Ink of all edges alike: as much as the lines have in the mean.
+   *
+   * @param {{ pixel: number, pixelRatio: number }} view
+   */
+  #draftInk({ pixel, pixelRatio }) {
+    const { surface, edge } = this.surface;
+    const thinned = fading(edge / pixel);
+    const coded = surface?.edge_cells?.length ? EDGE_STYLES[2].ink : 1;
+    return this.edges.opacity * coded * thinned * Math.min(1, this.edges.width * pixelRatio);
   }
 
   /** The context is lost: gives up what lay in it. */
   forget() {
     const { backdrop, model, ink, overlay } = this.#painter;
     for (const root of [backdrop, model, ink, overlay, this.gizmo.scene]) release(root);
+    this.#painter.forget();
   }
 
   dispose() {

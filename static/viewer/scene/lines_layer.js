@@ -96,6 +96,10 @@ export class LinesLayer {
     ends.value = rows.value = null;
   }
 
+  get opacity() {
+    return this.#material.uniforms.opacity.value;
+  }
+
   /** @param {number} opacity */
   set opacity(opacity) {
     this.#material.uniforms.opacity.value = opacity;

@@ -1,6 +1,11 @@
 /** Lines in a row of the textures that hold them. */
 export const COLUMNS = 680;
 
+/** Share of the ink that edges so many pixels long keep: all of it would blacken a fine mesh. @param {number} length @returns {number} */
+export function fading(length) {
+  return Math.min(1, Math.max(0.2, (length + 1) / 7));
+}
+
 /**
  * Line segments as ribbons of constant width on the screen: at least a pixel, smooth at the rim, pulled towards the eye by
  * the depth that half their width may cover, so that they do not fight with the surface they lie on. Their ends are fetched
@@ -63,7 +68,7 @@ void main() {
   place.xy += across * corner.y * reach * 2.0 / viewport;
   vAcross = corner.y * reach;
   vStyle = styles[texelFetch(rows, at, 0).r];
-  // Edges closer than some pixels would blacken a fine mesh: their ink thins out with their length.
+  // As fading() has it, below 1 by the length of each.
   vStyle.a *= mix(1.0, clamp((length + 1.0) / 7.0, 0.2, 1.0), fade);
   gl_Position = vec4(place, 1.0);
 }

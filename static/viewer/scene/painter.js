@@ -1,5 +1,16 @@
-import { ColorManagement, LinearSRGBColorSpace, Scene, Vector4, WebGLRenderer } from "three";
+import {
+  ColorManagement,
+  Group,
+  LinearSRGBColorSpace,
+  RGBAFormat,
+  Scene,
+  UnsignedByteType,
+  Vector4,
+  WebGLRenderTarget,
+  WebGLRenderer,
+} from "three";
 import { componentsOf } from "./colour.js";
+import { Copier } from "./copier.js";
 
 ColorManagement.enabled = false;
 
@@ -8,16 +19,29 @@ export class WebGLMissing extends Error {
   name = "WebGLMissing";
 }
 
+/** Side of a draft's pixels in those of the canvas. */
+const COARSE = 2;
+
 /**
  * Owns the WebGL renderer and the order of the layers: backdrop (silhouette, never over the model), model, ink (lines and
- * irregular edges), overlay (plane, highlight).
+ * irregular edges), overlay (plane, highlight). They are drawn in that order in one go, so that a target of several samples
+ * is resolved once; three keeps an order only among what it calls transparent, so all that is in them does.
+ *
+ * The canvas takes whole pictures, smoothed by four samples, or drafts of larger pixels and one sample, for GPUs that are too
+ * slow to draw a whole one for every move.
  */
 export class Painter {
-  backdrop = new Scene();
-  model = new Scene();
-  ink = new Scene();
-  overlay = new Scene();
+  backdrop = new Group();
+  model = new Group();
+  ink = new Group();
+  overlay = new Group();
   renderer;
+  #scene = new Scene();
+  #copier = new Copier();
+  /** @type {WebGLRenderTarget | null} */
+  #whole = null;
+  #size = { width: 1, height: 1 };
+  #draft = false;
   /** @type {[number, number, number]} */
   #background = [1, 1, 1];
 
@@ -27,7 +51,7 @@ export class Painter {
       alpha: false,
       depth: true,
       stencil: false,
-      antialias: true,
+      antialias: false, // whole pictures have their own target
       preserveDrawingBuffer: false,
       powerPreference: /** @type {const} */ ("high-performance"),
     };
@@ -39,9 +63,8 @@ export class Painter {
     this.renderer.sortObjects = false;
     this.renderer.info.autoReset = false;
     this.renderer.debug.checkShaderErrors = false;
-    for (const layer of [this.backdrop, this.model, this.ink, this.overlay]) {
-      layer.matrixWorldAutoUpdate = false;
-    }
+    this.#scene.add(this.backdrop, this.model, this.ink, this.overlay);
+    this.#scene.matrixWorldAutoUpdate = false;
   }
 
   /** @returns {WebGL2RenderingContext} */
@@ -54,11 +77,40 @@ export class Painter {
     this.#background = componentsOf(colour);
   }
 
+  /** Pixels of the canvas: fewer for a draft. @param {boolean} draft */
+  pixels(draft) {
+    const { width, height } = this.#size;
+    if (!draft) return { width, height };
+    return { width: Math.ceil(width / COARSE), height: Math.ceil(height / COARSE) };
+  }
+
+  /**
+   * Draws a picture onto the canvas.
+   *
+   * @param {import("three").Camera} camera
+   * @param {boolean} draft
+   */
+  show(camera, draft) {
+    if (draft !== this.#draft) {
+      this.#draft = draft;
+      this.#fit();
+    }
+    if (draft) return this.paint(camera, null);
+    this.#whole ??= new WebGLRenderTarget(this.#size.width, this.#size.height, {
+      format: RGBAFormat,
+      type: UnsignedByteType,
+      samples: 4,
+      generateMipmaps: false,
+    });
+    this.paint(camera, this.#whole);
+    this.#copier.copy(this.renderer, this.#whole.texture);
+  }
+
   /**
    * Draws all layers into a target, or onto the canvas.
    *
    * @param {import("three").Camera} camera
-   * @param {import("three").WebGLRenderTarget | null} target
+   * @param {WebGLRenderTarget | null} target
    * @param {{ transparent?: boolean, overlay?: boolean }} [options]
    */
   paint(camera, target, { transparent = false, overlay = true } = {}) {
@@ -72,11 +124,8 @@ export class Painter {
     if (transparent) renderer.state.buffers.color.setClear(0, 0, 0, 0, false);
     else renderer.state.buffers.color.setClear(r, g, b, 1, false);
     this.gl.clear(this.gl.COLOR_BUFFER_BIT | this.gl.DEPTH_BUFFER_BIT);
-    renderer.render(this.backdrop, camera);
-    renderer.clearDepth();
-    renderer.render(this.model, camera);
-    renderer.render(this.ink, camera);
-    if (overlay) renderer.render(this.overlay, camera);
+    this.overlay.visible = overlay;
+    renderer.render(this.#scene, camera);
   }
 
   /**
@@ -92,12 +141,27 @@ export class Painter {
 
   /** @param {number} width device pixels @param {number} height */
   resize(width, height) {
+    this.#size = { width, height };
+    this.forget();
+    this.#fit();
+  }
+
+  #fit() {
+    const { width, height } = this.pixels(this.#draft);
     this.renderer.setPixelRatio(1);
     this.renderer.setSize(width, height, false);
     this.renderer.setViewport(new Vector4(0, 0, width, height));
   }
 
+  /** Gives up its target, to make a new one when next asked. */
+  forget() {
+    this.#whole?.dispose();
+    this.#whole = null;
+  }
+
   dispose() {
+    this.forget();
+    this.#copier.dispose();
     this.renderer.dispose();
   }
 }

@@ -4,6 +4,7 @@ import { CameraRig } from "./camera_rig.js";
 import { Emitter } from "./emitter.js";
 import { FrameLoop } from "./frame_loop.js";
 import { Layers } from "./layers.js";
+import { Pace } from "./pace.js";
 import { Painter } from "./painter.js";
 import { Picker } from "./picker.js";
 import { planeExtent } from "./plane_extent.js";
@@ -13,6 +14,12 @@ import { Trackball } from "./trackball.js";
 
 /** Milliseconds after the last change during which the user counts as busy. */
 const BUSY = 160;
+
+/** The same while a button of the pointer is down, for a GPU too slow to draw whole pictures meanwhile. */
+const HELD = 600;
+
+/** Milliseconds after a new surface before such a GPU gathers light on it: another may be on its way. */
+const STILL = 120;
 
 /**
  * The drawing of one mesh on one canvas: takes the core's buffers and the status document, draws when something changed.
@@ -34,11 +41,17 @@ export class Scene {
   #loop;
   #trackball;
   #lighting;
+  #pace;
   #picker;
   #layers;
   #pixelRatio = 1;
   #size = { width: 1, height: 1 };
   #changed = 0;
+  #surfaced = 0;
+  /** Whether the canvas shows a draft. */
+  #draft = false;
+  /** Whether a button of the pointer is down, on a slider as well as on the drawing. */
+  #held = false;
   #abort = new AbortController();
   /** @type {import("./types.js").MeshFrame} */
   #mesh = { cells: 0 };
@@ -52,9 +65,10 @@ export class Scene {
     this.#layers = new Layers(this.#painter);
     this.#lighting = new Lighting(this.#painter.renderer, this.#layers.surface);
     this.#picker = new Picker(this.#painter.renderer);
+    this.#pace = new Pace(this.#painter.gl);
     this.#loop = new FrameLoop(
       () => this.#draw(),
-      (now) => this.#lighting.step(this.#trackball.active || now - this.#changed < BUSY),
+      (now) => this.#step(now),
     );
     this.#trackball = new Trackball(canvas, this.#rig, {
       moved: () => this.#moved(),
@@ -64,6 +78,12 @@ export class Scene {
       centred: ({ x, y }) => this.#centre(x, y),
     });
     const { signal } = this.#abort;
+    for (const name of ["pointerdown", "pointerup", "pointercancel"])
+      window.addEventListener(
+        name,
+        (event) => (this.#held = /** @type {PointerEvent} */ (event).buttons !== 0 && name === "pointerdown"),
+        { signal, capture: true },
+      );
     canvas.addEventListener("webglcontextlost", (event) => this.#lost(event), { signal });
     canvas.addEventListener("webglcontextrestored", () => this.#restored(), { signal });
     this.resize(canvas.clientWidth || canvas.width, canvas.clientHeight || canvas.height, devicePixelRatio);
@@ -92,11 +112,18 @@ export class Scene {
   /** Begins another mesh: what was drawn of the last one goes. @param {import("./types.js").MeshFrame} mesh */
   setMesh(mesh) {
     this.#mesh = mesh;
+    this.#pace.forget();
+    this.#layers.outward = false;
     this.setSurface(null);
     this.setSilhouette(null);
     this.setIrregular(null);
     this.setCellColours(null);
     this.#layers.plane.set(null, 0, 1);
+  }
+
+  /** Whether every cell is valid at its corners: then the backs of faces need not be drawn. @param {boolean} outward */
+  set outward(outward) {
+    this.#layers.outward = outward;
   }
 
   /** @param {import("./types.js").Surface | null} surface */
@@ -106,6 +133,7 @@ export class Scene {
     this.#picker.set(surface);
     this.#lighting.restart();
     this.timings.upload = performance.now() - started;
+    this.#surfaced = started;
     this.#touch();
   }
 
@@ -169,7 +197,7 @@ export class Scene {
   #rowAt(x, y) {
     if (this.#painter.gl.isContextLost()) return -1;
     this.#aim(this.#size.width / this.#size.height);
-    const { width, height } = this.#canvas;
+    const { width, height } = this.#painter.pixels(false);
     const scale = width / this.#size.width;
     return this.#picker.rowAt(this.#rig.camera, x * scale, y * scale, width, height);
   }
@@ -206,8 +234,14 @@ export class Scene {
    * @param {{ width?: number, height?: number, transparent?: boolean }} [options]
    * @returns {Promise<Blob>}
    */
-  async screenshot({ width = this.#canvas.width, height = this.#canvas.height, transparent = false } = {}) {
+  async screenshot({ width, height, transparent = false } = {}) {
     await this.#lighting.complete();
+    const whole = this.#painter.pixels(false);
+    return this.#picture({ width: width ?? whole.width, height: height ?? whole.height, transparent });
+  }
+
+  /** @param {{ width: number, height: number, transparent: boolean }} options */
+  #picture({ width, height, transparent }) {
     const pixelRatio = Math.max(1, height / this.#size.height);
     return takePicture(this.#painter, {
       width,
@@ -217,7 +251,13 @@ export class Scene {
         this.#aim(width / height);
         const { camera } = this.#rig;
         camera.setViewOffset(width * scale, height * scale, tile.x, tile.y, tile.width, tile.height);
-        this.#prepare(tile.width, tile.height, height * scale, pixelRatio * scale);
+        this.#prepare({
+          width: tile.width,
+          height: tile.height,
+          whole: height * scale,
+          pixelRatio: pixelRatio * scale,
+          draft: false,
+        });
         this.#painter.paint(camera, target, { transparent, overlay: false });
         camera.clearViewOffset();
         this.#loop.invalidate();
@@ -232,13 +272,18 @@ export class Scene {
     return {
       faces: surface.faces.length,
       triangles: 2 * surface.faces.length,
-      edges: this.#layers.edges.count,
+      edges: this.#layers.edgeCount,
       cells: new Set(surface.cells).size,
     };
   }
 
   invalidate() {
     this.#loop.invalidate();
+  }
+
+  /** Draws what has changed at once, so that the GPU begins before the screen asks for it. */
+  flush() {
+    if (this.#loop.stale) this.#loop.flush();
   }
 
   #touch() {
@@ -273,28 +318,58 @@ export class Scene {
   }
 
   /**
-   * @param {number} width pixels of the target
-   * @param {number} height
-   * @param {number} whole height of the whole picture, of which the target may be a tile
-   * @param {number} pixelRatio
+   * One turn of the light between pictures.
+   *
+   * @param {number} now
+   * @returns {{ again: boolean, draw: boolean }}
    */
-  #prepare(width, height, whole, pixelRatio) {
+  #step(now) {
+    const busy = this.#busy(now);
+    // A slow GPU does one large thing at a time, so that the next move finds it free soon, and gathers no light on a
+    // surface that another follows.
+    const still = now - this.#surfaced > (this.#held ? HELD : STILL);
+    if (this.#slow && (this.#pace.watching || (busy && !still))) return { again: true, draw: false };
+    const { again, draw } = this.#lighting.step(busy);
+    return { again: again || this.#draft, draw: draw || (this.#draft && !busy) };
+  }
+
+  /** @param {number} now */
+  #busy(now) {
+    const rest = this.#held && this.#slow ? HELD : BUSY;
+    return this.#trackball.active || now - this.#changed < rest;
+  }
+
+  get #slow() {
+    return this.#pace.slow(this.#layers.surface.surface?.faces.length ?? 0);
+  }
+
+  /**
+   * @param {{ width: number, height: number, whole: number, pixelRatio: number, draft: boolean }} target its pixels, and the
+   *   height of the whole picture, of which it may be a tile
+   */
+  #prepare({ width, height, whole, pixelRatio, draft }) {
     const perspective = this.#rig.projection === "perspective";
     const pixel = (2 * this.#rig.halfHeight) / whole / (perspective ? this.#rig.distance : 1);
-    this.#layers.view({ width, height, pixelRatio, pixel });
-    this.#lighting.prepare(this.#rig.camera, { width, height, perUnit: 1 / pixel });
+    const { outside } = this.#rig;
+    this.#layers.view({ width, height, pixelRatio, pixel, draft, outside });
+    this.#lighting.prepare(this.#rig.camera, { width, height, perUnit: 1 / pixel, draft });
   }
 
   #draw() {
     const started = performance.now();
-    const { width, height } = this.#canvas;
+    const draft = this.#busy(started) && this.#slow;
+    this.#draft = draft;
+    const { width, height } = this.#painter.pixels(draft);
+    const pixelRatio = (this.#pixelRatio * width) / this.#painter.pixels(false).width;
     this.#aim(this.#size.width / this.#size.height);
-    this.#prepare(width, height, height, this.#pixelRatio);
-    this.#painter.paint(this.#rig.camera, null);
+    this.#prepare({ width, height, whole: height, pixelRatio, draft });
+    this.#painter.show(this.#rig.camera, draft);
     this.#painter.corner((renderer) =>
-      this.#layers.gizmo.draw(renderer, this.#rig.orientation, width, this.#pixelRatio),
+      this.#layers.gizmo.draw(renderer, this.#rig.orientation, width, pixelRatio),
     );
     this.timings.frame = performance.now() - started;
+    if (draft) return;
+    this.#pace.watch();
     if (!this.#lighting.settled) return;
     this.timings.lighting = this.#lighting.elapsed;
     for (const resolve of this.#waiting.splice(0)) resolve();

@@ -3,6 +3,7 @@ import {
   BufferGeometry,
   DoubleSide,
   EqualDepth,
+  FrontSide,
   GLSL3,
   Group,
   Mesh,
@@ -49,18 +50,45 @@ void main() {
 }
 `;
 
+const DRAFT_VERTEX = `
+precision highp float;
+in vec3 position;
+in vec4 normal;
+uniform mat4 modelViewMatrix;
+uniform mat4 projectionMatrix;
+uniform mat3 normalMatrix;
+uniform vec4 ink;
+out vec4 vInk;
+void main() {
+  vec4 view = modelViewMatrix * vec4(position, 1.0);
+  vec3 eye = projectionMatrix[3][3] == 1.0 ? vec3(0.0, 0.0, 1.0) : normalize(view.xyz);
+  float facing = abs(dot(normalize(normalMatrix * normal.xyz), eye));
+  float clear = 1.0 - ink.a * (1.0 - pow(facing, 0.33));
+  vInk = vec4(ink.rgb, 1.0 - clear * clear); // for the back side too
+  gl_Position = projectionMatrix * view;
+}
+`;
+
+const DRAFT_RIM = `
+precision mediump float;
+in vec4 vInk;
+out vec4 pixel;
+void main() { pixel = vInk; }
+`;
+
 /** Colours of the flat silhouette and of the shaded one, the original's. */
 const FLAT_COLOUR = "#d7d7f0";
 const RIM_COLOUR = "#d9d9f2";
 
 /**
- * The pale shape of what is hidden. It belongs behind the model: painted first, then depth is cleared. All its layers have
+ * The pale shape of what is hidden. It belongs behind the model: painted first. All its layers have
  * one colour, so that blending them needs no order.
  */
 export class SilhouetteLayer {
   group = new Group();
   #geometry = new BufferGeometry();
   #meshes;
+  #rims;
   #strength = 1;
 
   constructor() {
@@ -70,9 +98,16 @@ export class SilhouetteLayer {
     cover.depthWrite = true;
     const flat = once();
     flat.depthFunc = EqualDepth;
-    const rim = material(RIM, RIM_COLOUR);
-    rim.depthTest = false;
+    this.#rims = [material(RIM, RIM_COLOUR), material(DRAFT_RIM, RIM_COLOUR, DRAFT_VERTEX)];
+    for (const rim of this.#rims) rim.depthTest = false;
+    this.#rims[1].side = FrontSide;
+    const rim = this.#rims[0];
     this.#meshes = [cover, flat, rim].map((each) => new Mesh(this.#geometry, each));
+    // Behind the model means: before it, and leaving no depth.
+    this.#meshes[1].onAfterRender = (renderer) => {
+      renderer.state.buffers.depth.setMask(true);
+      renderer.clearDepth();
+    };
     for (const mesh of this.#meshes) {
       mesh.frustumCulled = false;
       this.group.add(mesh);
@@ -106,23 +141,30 @@ export class SilhouetteLayer {
     cover.visible = even.visible = flat > 0;
     shaded.visible = rim > 0;
     even.material.uniforms.ink.value.w = flat;
-    shaded.material.uniforms.ink.value.w = rim;
+    for (const each of this.#rims) each.uniforms.ink.value.w = rim;
+  }
+
+  /** @param {boolean} draft shaded from the vertices of the front alone */
+  set draft(draft) {
+    this.#meshes[2].material = this.#rims[draft ? 1 : 0];
   }
 
   dispose() {
     this.set(null);
     for (const mesh of this.#meshes) mesh.material.dispose();
+    for (const rim of this.#rims) rim.dispose();
   }
 }
 
 /**
  * @param {string} fragmentShader
  * @param {string} colour
+ * @param {string} [vertexShader]
  */
-function material(fragmentShader, colour) {
+function material(fragmentShader, colour, vertexShader = VERTEX) {
   return new RawShaderMaterial({
     glslVersion: GLSL3,
-    vertexShader: VERTEX,
+    vertexShader,
     fragmentShader,
     uniforms: { ink: { value: new Vector4(...componentsOf(colour), 1) } },
     transparent: true,

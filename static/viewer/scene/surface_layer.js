@@ -3,8 +3,10 @@ import {
   BufferGeometry,
   DataTexture,
   DoubleSide,
+  FrontSide,
   GLSL3,
   Mesh,
+  NoBlending,
   RawShaderMaterial,
   RGIntegerFormat,
   RedFormat,
@@ -14,9 +16,11 @@ import {
 } from "three";
 import { meanSide } from "../lighting/mean_side.js";
 import { componentsOf } from "./colour.js";
+import { DRAFT_FRAGMENT, DRAFT_VERTEX } from "./draft_shader.js";
 import { NOT_FINITE } from "./palettes.js";
 import { flatQuadIndex, quadIndex } from "./quad_index.js";
 import { SURFACE_FRAGMENT, SURFACE_VERTEX } from "./surface_shader.js";
+import { isTriangle } from "./triangle.js";
 
 /** Numbers by which the shader knows the lighting modes. */
 const LIGHTING = { none: 0, direct: 1, screen_space_ao: 2, object_space_ao: 3 };
@@ -31,7 +35,8 @@ export class SurfaceLayer {
   /** Mean side of a face. */
   edge = 1;
   uniforms;
-  #material;
+  #whole;
+  #draft;
   #white;
   #open;
 
@@ -58,18 +63,25 @@ export class SurfaceLayer {
       screenOpenness: { value: /** @type {import("three").Texture} */ (this.#white) },
       screenScale: { value: new Vector2(1, 1) },
       screenOffset: { value: new Vector2(0, 0) },
+      edgeInk: { value: 0 },
     };
-    this.#material = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader: SURFACE_VERTEX,
-      fragmentShader: SURFACE_FRAGMENT,
-      uniforms: this.uniforms,
-      side: DoubleSide,
-      polygonOffset: true,
-      polygonOffsetFactor: 1,
-      polygonOffsetUnits: 1,
-    });
-    this.mesh = new Mesh(new BufferGeometry(), this.#material);
+    const material = (/** @type {string} */ vertexShader, /** @type {string} */ fragmentShader) =>
+      new RawShaderMaterial({
+        glslVersion: GLSL3,
+        vertexShader,
+        fragmentShader,
+        uniforms: this.uniforms,
+        side: DoubleSide,
+        forceSinglePass: true,
+        transparent: true, // to be drawn in its turn
+        blending: NoBlending,
+        polygonOffset: true,
+        polygonOffsetFactor: 1,
+        polygonOffsetUnits: 1,
+      });
+    this.#whole = material(SURFACE_VERTEX, SURFACE_FRAGMENT);
+    this.#draft = material(DRAFT_VERTEX, DRAFT_FRAGMENT);
+    this.mesh = new Mesh(new BufferGeometry(), this.#whole);
     this.mesh.frustumCulled = false;
     this.mesh.visible = false;
   }
@@ -84,6 +96,7 @@ export class SurfaceLayer {
     this.mesh.geometry = geometry;
     this.mesh.visible = surface !== null && surface.positions.length > 0;
     if (!surface) return;
+    if (!surface.quads) markTriangles(surface);
     geometry.setAttribute("position", new BufferAttribute(surface.positions, 3));
     geometry.setAttribute("normal", new BufferAttribute(surface.normals, 4, true));
     geometry.setAttribute("cell", new BufferAttribute(surface.cells, 1));
@@ -92,6 +105,22 @@ export class SurfaceLayer {
     geometry.setDrawRange(0, 6 * surface.faces.length);
     this.edge = meanSide(surface.positions, surface.quads, surface.faces.length);
     this.uniforms.fourByFour.value = surface.quads === null;
+  }
+
+  /**
+   * Draw it plainly, edges and all.
+   *
+   * @param {boolean} draft
+   * @param {number} ink of the edges, 0 to 1
+   */
+  setDraft(draft, ink) {
+    this.mesh.material = draft ? this.#draft : this.#whole;
+    this.uniforms.edgeInk.value = ink;
+  }
+
+  /** Whether only fronts can be seen: all faces look outward, and the eye is outside. @param {boolean} fronts */
+  set fronts(fronts) {
+    this.#whole.side = this.#draft.side = fronts ? FrontSide : DoubleSide;
   }
 
   /** @param {import("./types.js").LightingMode} mode */
@@ -120,6 +149,13 @@ export class SurfaceLayer {
     this.set(null);
     this.#white.dispose();
     this.#open.dispose();
-    this.#material.dispose();
+    this.#whole.dispose();
+    this.#draft.dispose();
   }
+}
+
+/** Sets the spare fourth number of a triangle's normals, by which the draft knows it. @param {import("./types.js").Surface} surface */
+function markTriangles({ positions, normals, faces }) {
+  for (let face = 0; face < faces.length; face++)
+    if (isTriangle(positions, 12 * face)) for (let k = 0; k < 4; k++) normals[16 * face + 4 * k + 3] = 32767;
 }

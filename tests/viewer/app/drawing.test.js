@@ -25,6 +25,7 @@ function parts() {
   const scene = {
     setStatus: note("status"),
     setSurface: note("surface"),
+    flush() {},
     setSilhouette: note("silhouette"),
     setIrregular: note("irregular"),
     setCellColours: note("colours"),
