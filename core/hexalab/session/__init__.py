@@ -163,13 +163,16 @@ class Session:
         told = [problem.as_dict() for problem in problems + unknown]
         return {"partial": {**partial, **identity}, "problems": told, "form": form}
 
-    def update(self, status: Any = None) -> Result:
+    def update(self, status: Any = None, lean: bool = False) -> Result:
         """Apply a status or a part of one and return the buffers that changed.
 
         Parameters
         ----------
         status : dict or str, optional
             As in `check`; None changes nothing.
+        lean : bool
+            Leave out edges and silhouette, as for drafts while something moves; the next update that is not
+            lean brings them.
 
         Returns
         -------
@@ -189,7 +192,7 @@ class Session:
         if self._lacks_attribute(opened):
             problems.append(sources.no_attribute(self.status["colour"], opened).as_dict())
             self._colour_by_sides()
-        parts = buffers.update(self.status)
+        parts = buffers.update(self.status, lean)
         return {
             "shown_cells": int(np.count_nonzero(buffers.shown)),
             "shown_faces": buffers.shown_faces(),

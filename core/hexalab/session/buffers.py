@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..surface import extract_silhouette, extract_surface
+from ..surface import LINED, extract_silhouette, extract_surface
 from .opened import Opened
 
 Status = dict[str, Any]
@@ -35,15 +35,20 @@ class Buffers:
         self._made: dict[str, Any] = {}
         self.timings: dict[str, float] = {}
 
-    def update(self, status: Status) -> dict[str, Any]:
-        """Return the buffers that differ from those of the last call; `pending` names those put off."""
+    def update(self, status: Status, lean: bool = False) -> dict[str, Any]:
+        """Return the buffers that differ from those of the last call; `pending` names those put off.
+
+        A lean update leaves out what a draft does without, edges and silhouette; the next one that is not
+        brings them.
+        """
         self.timings = {}
         self._filter(status["filters"])
         parts: dict[str, Any] = {}
         separation = status["separation"]
-        if self._is_new("surface", (self._version, separation["mode"], _size(separation))):
-            parts["surface"] = self._timed("surface", self._extract_surface, separation)
-        if status["silhouette"] > 0 and self._is_new("silhouette", self._version):
+        edges = separation["mode"] in LINED and not lean
+        if self._is_new("surface", (self._version, separation["mode"], _size(separation), edges)):
+            parts["surface"] = self._timed("surface", self._extract_surface, separation, edges)
+        if status["silhouette"] > 0 and not lean and self._is_new("silhouette", self._version):
             parts["silhouette"] = self._timed("silhouette", self._extract_silhouette)
         irregular, pending = self._irregular_parts(status["irregular"])
         if irregular is not None and not pending and self._is_new("irregular", irregular):
@@ -94,9 +99,9 @@ class Buffers:
             self._version += 1
         self.timings["filters"] = 1000 * (perf_counter() - began)
 
-    def _extract_surface(self, separation: Status) -> dict[str, Any]:
+    def _extract_surface(self, separation: Status, edges: bool) -> dict[str, Any]:
         mode, sizes = separation["mode"], {name: separation[name] for name in ("gap", "radius")}
-        return extract_surface(self.opened.drawing, self.shown, mode, **sizes).arrays()
+        return extract_surface(self.opened.drawing, self.shown, mode, **sizes, edges=edges).arrays()
 
     def _extract_silhouette(self) -> dict[str, Any]:
         return extract_silhouette(self.opened.drawing, self.shown).arrays()

@@ -10,11 +10,12 @@ from .darkness_coded_edges import darkness_coded_edges
 from .drawing import Drawing
 from .fissure import fissure
 from .irregular import extract_irregular
-from .lines import lines
+from .lines import interface_quads, lines
 from .rounded import rounded
 from .silhouette import extract_silhouette
 
 __all__ = [
+    "LINED",
     "MODES",
     "Drawing",
     "Irregular",
@@ -28,6 +29,9 @@ __all__ = [
 MODES = ("lines", "darkness_coded_edges", "fissure", "rounded")
 """The separation modes."""
 
+LINED = ("lines", "darkness_coded_edges")
+"""Those that draw lines."""
+
 
 def extract_surface(
     drawing: Drawing,
@@ -35,6 +39,7 @@ def extract_surface(
     mode: str = "lines",
     gap: float = 0.15,
     radius: float = 0.075,
+    edges: bool = True,
 ) -> Surface:
     """The surface of the shown cells.
 
@@ -49,12 +54,16 @@ def extract_surface(
         Of fissures: how far exposed corners go towards their cell's barycentre, 0 to 1.
     radius : float
         Of roundings, over the length of the edge, 0 to 0.5.
+    edges : bool
+        Whether lines are wanted where the mode has them: they cost as much as the rest.
 
     Raises
     ------
     ValueError
         If there is no such mode.
     """
+    if mode in LINED and not edges:
+        return interface_quads(drawing, shown, mode)
     if mode == "lines":
         return lines(drawing, shown)
     if mode == "darkness_coded_edges":

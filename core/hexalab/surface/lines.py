@@ -10,7 +10,7 @@ from ..topology import Interface
 from .buffers import Bytes, Floats32, Surface
 from .drawing import Drawing
 from .edges import one_of_each, quad_sides
-from .flat import NO_COUNTS, flat_surface, interleave
+from .flat import NO_COUNTS, NO_LINES, flat_surface, interleave
 
 
 def lines(drawing: Drawing, shown: NDArray[np.bool_]) -> Surface:
@@ -27,6 +27,13 @@ def lines(drawing: Drawing, shown: NDArray[np.bool_]) -> Surface:
     drawn = np.flatnonzero(one_of_each(start, end) == np.arange(len(start)))
     edges = edge_lines(drawing, start[drawn], end[drawn])
     return interface_surface(drawing, "lines", interface, corners, edges, NO_COUNTS)
+
+
+def interface_quads(drawing: Drawing, shown: NDArray[np.bool_], mode: str) -> Surface:
+    """Surface of a mode that draws lines, without them."""
+    interface = drawing.topology.interface(shown)
+    corners = drawing.topology.corners_of(interface.cells, interface.locals)
+    return interface_surface(drawing, mode, interface, corners, NO_LINES, NO_COUNTS)
 
 
 def interface_surface(

@@ -31,6 +31,8 @@ export class Drawing {
   #facts;
   #messages;
   #ready = false;
+  /** Whether the surface that is there, or was asked for last, lacks edges and silhouette. */
+  #lean = false;
   /** @type {Promise<void>} */
   #latest = Promise.resolve();
 
@@ -50,6 +52,9 @@ export class Drawing {
       else if (this.#facts.get("planeShown")) this.#showPlane();
     });
     facts.on("planeShown", () => this.#showPlane());
+    scene.on("calm", () => {
+      if (this.#ready && this.#lean) this.#latest = this.#ask(store.status, true);
+    });
     facts.on("statistics", (/** @type {any} */ statistics) => {
       const found = statistics?.scaled_jacobian;
       scene.outward = found !== undefined && found.min > 0 && found.not_finite === 0;
@@ -83,12 +88,14 @@ export class Drawing {
     this.#take(answer);
   }
 
-  /** @param {any} status */
-  async #ask(status) {
+  /** @param {any} status @param {boolean} [same] nothing has moved: what a lean answer left out is wanted */
+  async #ask(status, same = false) {
     try {
-      const answer = await this.#client.call("update", [status], { replace: "update" });
+      const lean = !same && this.#scene.hurried;
+      this.#lean = lean;
+      const answer = await this.#client.call("update", [status, lean], { replace: "update" });
       this.#messages.settle("update");
-      this.#take(answer);
+      this.#take(answer, same);
       const slice = this.#client.milliseconds?.update;
       const timings = { ...this.#facts.get("timings"), ...answer.timings, slice };
       this.#facts.set({ timings });
@@ -97,11 +104,11 @@ export class Drawing {
     }
   }
 
-  /** @param {any} answer */
-  #take(answer) {
+  /** @param {any} answer @param {boolean} [same] the surface is the one on the screen, with its edges */
+  #take(answer, same = false) {
     const scene = this.#scene;
     const began = performance.now();
-    if (answer.surface) scene.setSurface(answer.surface);
+    if (answer.surface) scene.setSurface(answer.surface, same);
     if (answer.silhouette) scene.setSilhouette(answer.silhouette);
     if (answer.irregular) scene.setIrregular(answer.irregular);
     if ("colour" in answer) scene.setCellColours(answer.colour?.map_position ?? null);

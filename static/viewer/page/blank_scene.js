@@ -1,6 +1,8 @@
 /** Stands in for the scene where the browser has no WebGL 2: takes everything, draws nothing. */
 export class BlankScene {
   timings = {};
+  hurried = false;
+  outward = false;
   setMesh() {}
   setSurface() {}
   setSilhouette() {}
@@ -11,6 +13,7 @@ export class BlankScene {
   highlight() {}
   showPlane() {}
   invalidate() {}
+  flush() {}
   dispose() {}
 
   pick() {

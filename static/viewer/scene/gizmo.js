@@ -21,6 +21,9 @@ export class Gizmo {
   #camera = new OrthographicCamera(-1.45, 1.45, 1.45, -1.45, -2, 2);
   #lines = new LinesLayer(AXES.map((colour) => ({ colour, ink: 1 })));
 
+  /** Of the eye, when the strokes were made. */
+  #orientation = new Quaternion();
+
   constructor() {
     this.#lines.width = 1.75;
     this.scene.add(this.#lines.mesh);
@@ -36,9 +39,11 @@ export class Gizmo {
    */
   draw(renderer, orientation, width, pixelRatio) {
     const side = Math.round(GIZMO_SIZE * pixelRatio);
-    const { ends, styles } = strokes(orientation);
-    this.#lines.set(ends, styles);
-    this.#lines.mesh.visible = true;
+    if (!orientation.equals(this.#orientation) || this.#lines.count === 0) {
+      const { ends, styles } = strokes(orientation);
+      this.#lines.set(ends, styles);
+      this.#orientation.copy(orientation);
+    }
     this.#lines.view({ width: side, height: side, pixelRatio, pixel: 0 });
     renderer.setViewport(width - side, 0, side, side);
     renderer.clearDepth();

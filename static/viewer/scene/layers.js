@@ -60,6 +60,12 @@ export class Layers {
     this.highlight.set(surface, null);
   }
 
+  /** @param {import("./types.js").Silhouette | null} silhouette */
+  setSilhouette(silhouette) {
+    this.silhouette.set(silhouette);
+    this.#painter.renewBackdrop();
+  }
+
   /** @param {Float32Array | null} positions */
   setCellColours(positions) {
     this.colours.setPositions(positions);
@@ -90,7 +96,10 @@ export class Layers {
     }
     if (separation?.line_opacity !== undefined) this.edges.opacity = separation.line_opacity;
     if (separation?.line_width !== undefined) this.edges.width = separation.line_width;
-    if (silhouette !== undefined) this.silhouette.strength = silhouette;
+    if (silhouette !== undefined) {
+      this.silhouette.strength = silhouette;
+      this.#painter.renewBackdrop();
+    }
     if (irregular) this.irregular.setMode(irregular.mode ?? 1, irregular.boundary ?? false);
     return true;
   }

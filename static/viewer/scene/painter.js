@@ -40,6 +40,10 @@ export class Painter {
   #copier = new Copier();
   /** @type {WebGLRenderTarget | null} */
   #whole = null;
+  /** The backdrop of the drafts, for as long as neither it nor the camera changes. @type {WebGLRenderTarget | null} */
+  #behind = null;
+  #behindOf = "";
+  #backdropVersion = 0;
   #size = { width: 1, height: 1 };
   #draft = false;
   /** @type {[number, number, number]} */
@@ -95,7 +99,7 @@ export class Painter {
       this.#draft = draft;
       this.#fit();
     }
-    if (draft) return this.paint(camera, null);
+    if (draft) return this.#paintDraft(camera);
     this.#whole ??= new WebGLRenderTarget(this.#size.width, this.#size.height, {
       format: RGBAFormat,
       type: UnsignedByteType,
@@ -106,6 +110,31 @@ export class Painter {
     this.#copier.copy(this.renderer, this.#whole.texture);
   }
 
+  /** What is in the backdrop, or how it looks, has changed. */
+  renewBackdrop() {
+    this.#backdropVersion++;
+  }
+
+  /** @param {import("three").Camera} camera */
+  #paintDraft(camera) {
+    const { width, height } = this.pixels(true);
+    const view = [...camera.matrixWorld.elements, ...camera.projectionMatrix.elements];
+    const wanted = [this.#backdropVersion, ...this.#background, ...view].join();
+    this.#behind ??= new WebGLRenderTarget(width, height, { generateMipmaps: false, depthBuffer: true });
+    if (wanted !== this.#behindOf) {
+      this.#behindOf = wanted;
+      this.#begin(this.#behind, false);
+      for (const part of [this.model, this.ink, this.overlay]) part.visible = false;
+      this.renderer.render(this.#scene, camera);
+      for (const part of [this.model, this.ink, this.overlay]) part.visible = true;
+    }
+    this.#begin(null, false);
+    this.#copier.copy(this.renderer, this.#behind.texture);
+    this.backdrop.visible = false;
+    this.renderer.render(this.#scene, camera);
+    this.backdrop.visible = true;
+  }
+
   /**
    * Draws all layers into a target, or onto the canvas.
    *
@@ -114,6 +143,13 @@ export class Painter {
    * @param {{ transparent?: boolean, overlay?: boolean }} [options]
    */
   paint(camera, target, { transparent = false, overlay = true } = {}) {
+    this.#begin(target, transparent);
+    this.overlay.visible = overlay;
+    this.renderer.render(this.#scene, camera);
+  }
+
+  /** @param {WebGLRenderTarget | null} target @param {boolean} transparent */
+  #begin(target, transparent) {
     const { renderer } = this;
     const [r, g, b] = this.#background;
     renderer.info.reset();
@@ -124,8 +160,6 @@ export class Painter {
     if (transparent) renderer.state.buffers.color.setClear(0, 0, 0, 0, false);
     else renderer.state.buffers.color.setClear(r, g, b, 1, false);
     this.gl.clear(this.gl.COLOR_BUFFER_BIT | this.gl.DEPTH_BUFFER_BIT);
-    this.overlay.visible = overlay;
-    renderer.render(this.#scene, camera);
   }
 
   /**
@@ -153,10 +187,12 @@ export class Painter {
     this.renderer.setViewport(new Vector4(0, 0, width, height));
   }
 
-  /** Gives up its target, to make a new one when next asked. */
+  /** Gives up its targets, to make new ones when next asked. */
   forget() {
     this.#whole?.dispose();
-    this.#whole = null;
+    this.#behind?.dispose();
+    this.#whole = this.#behind = null;
+    this.#behindOf = "";
   }
 
   dispose() {

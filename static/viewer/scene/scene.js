@@ -79,11 +79,16 @@ export class Scene {
     });
     const { signal } = this.#abort;
     for (const name of ["pointerdown", "pointerup", "pointercancel"])
-      window.addEventListener(
-        name,
-        (event) => (this.#held = /** @type {PointerEvent} */ (event).buttons !== 0 && name === "pointerdown"),
-        { signal, capture: true },
-      );
+      window.addEventListener(name, () => this.#hold(name === "pointerdown"), { signal, capture: true });
+    // A button let go outside of the window tells nobody.
+    window.addEventListener(
+      "pointermove",
+      ({ buttons }) => buttons === 0 && this.#held && this.#hold(false),
+      {
+        signal,
+        capture: true,
+      },
+    );
     canvas.addEventListener("webglcontextlost", (event) => this.#lost(event), { signal });
     canvas.addEventListener("webglcontextrestored", () => this.#restored(), { signal });
     this.resize(canvas.clientWidth || canvas.width, canvas.clientHeight || canvas.height, devicePixelRatio);
@@ -100,8 +105,8 @@ export class Scene {
   }
 
   /**
-   * @param {string} name "camera" (at every move), "cameraend", "click" and "hover" ({x, y, event} or null), "contextlost",
-   *   "contextrestored"
+   * @param {string} name "camera" (at every move), "cameraend", "click" and "hover" ({x, y, event} or null), "calm" (nothing is
+   *   held any more, or has not moved for long), "contextlost", "contextrestored"
    * @param {(detail: any) => void} listener
    * @returns {() => void} takes the listener off
    */
@@ -126,20 +131,24 @@ export class Scene {
     this.#layers.outward = outward;
   }
 
-  /** @param {import("./types.js").Surface | null} surface */
-  setSurface(surface) {
+  /**
+   * @param {import("./types.js").Surface | null} surface
+   * @param {boolean} [same] as the one on the screen, with more to it: nothing has moved
+   */
+  setSurface(surface, same = false) {
     const started = performance.now();
     this.#layers.setSurface(surface);
     this.#picker.set(surface);
     this.#lighting.restart();
     this.timings.upload = performance.now() - started;
+    if (same) return this.#loop.invalidate();
     this.#surfaced = started;
     this.#touch();
   }
 
   /** @param {import("./types.js").Silhouette | null} silhouette */
   setSilhouette(silhouette) {
-    this.#layers.silhouette.set(silhouette);
+    this.#layers.setSilhouette(silhouette);
     this.#loop.invalidate();
   }
 
@@ -329,13 +338,25 @@ export class Scene {
     // surface that another follows.
     const still = now - this.#surfaced > (this.#held ? HELD : STILL);
     if (this.#slow && (this.#pace.watching || (busy && !still))) return { again: true, draw: false };
+    if (this.#draft && this.#held && !busy) this.#events.emit("calm", null);
     const { again, draw } = this.#lighting.step(busy);
     return { again: again || this.#draft, draw: draw || (this.#draft && !busy) };
   }
 
+  /** @param {boolean} held whether a button of the pointer is down */
+  #hold(held) {
+    this.#held = held;
+    if (!held) this.#events.emit("calm", null);
+  }
+
+  /** Whether surfaces are wanted fast rather than whole. */
+  get hurried() {
+    return this.#held && this.#slow;
+  }
+
   /** @param {number} now */
   #busy(now) {
-    const rest = this.#held && this.#slow ? HELD : BUSY;
+    const rest = this.hurried ? HELD : BUSY;
     return this.#trackball.active || now - this.#changed < rest;
   }
 

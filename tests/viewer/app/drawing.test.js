@@ -17,29 +17,35 @@ const DEFAULTS = {
 function parts() {
   const store = new StatusStore(DEFAULTS);
   const facts = new Facts({ timings: {} });
-  /** @type {{ status: any, answer: (value: any) => void, fail: (error: Error) => void }[]} */
+  /** @type {{ status: any, lean: boolean, answer: (value: any) => void, fail: (error: Error) => void }[]} */
   const calls = [];
   /** @type {any[]} */
   const drawn = [];
+  /** @type {Record<string, () => void>} */
+  const heard = {};
   const note = (/** @type {string} */ name) => (/** @type {any} */ value) => drawn.push([name, value]);
   const scene = {
     setStatus: note("status"),
     setSurface: note("surface"),
     flush() {},
+    hurried: false,
+    on(/** @type {string} */ name, /** @type {() => void} */ listener) {
+      heard[name] = listener;
+    },
     setSilhouette: note("silhouette"),
     setIrregular: note("irregular"),
     setCellColours: note("colours"),
     showPlane: note("plane"),
   };
   const client = {
-    call: (/** @type {string} */ _, /** @type {any[]} */ [status]) =>
-      new Promise((answer, fail) => calls.push({ status, answer, fail })),
+    call: (/** @type {string} */ _, /** @type {any[]} */ [status, lean]) =>
+      new Promise((answer, fail) => calls.push({ status, lean, answer, fail })),
   };
   const messages = new Messages(facts);
   const drawing = new Drawing({ store, client, scene, facts, messages });
   drawing.ready = true;
   drawn.length = 0;
-  return { store, facts, calls, drawn, drawing };
+  return { store, facts, calls, drawn, drawing, scene, heard };
 }
 
 test("P6: camera and map go to the scene alone; filters and what is coloured by go to the core too", () => {
@@ -92,4 +98,26 @@ test("V9: a superseded call says nothing, a failed one is a message, and the nex
   calls[2].answer({ shown_cells: 1, shown_faces: 6 });
   await settle();
   assert.equal(facts.get("messages").length, 0);
+});
+
+test("P2: a hurried scene gets lean surfaces, and the whole one when it has calmed down, once", async () => {
+  const { store, calls, scene, heard } = parts();
+  const settle = () => new Promise((resolve) => setTimeout(resolve));
+  heard.calm();
+  assert.equal(calls.length, 0, "nothing is lacking");
+  scene.hurried = true;
+  store.set({ filters: { planes: { items: [1] } } });
+  assert.equal(calls[0].lean, true);
+  scene.hurried = false;
+  heard.calm(); // even while the lean answer is on its way
+  assert.equal(calls[1].lean, false);
+  assert.deepEqual(
+    calls[1].status,
+    store.status,
+    "the whole status: it may take the place of a call that waits",
+  );
+  for (const call of calls) call.answer({ shown_cells: 5, shown_faces: 9 });
+  await settle();
+  heard.calm();
+  assert.equal(calls.length, 2);
 });
