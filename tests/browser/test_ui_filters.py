@@ -41,6 +41,44 @@ def natively(page: Page) -> int:
     return int(np.count_nonzero(stack.apply(filters)))
 
 
+def test_F6_a_slow_gpu_draws_drafts_while_the_slice_is_held_and_the_whole_picture_after(
+    mesh: Page, site: str, shelf: Path
+) -> None:
+    large = grid(36, 36, 36)
+    hexalab.write(large, shelf / "large.mesh")
+    mesh.evaluate("url => window.hexalab.open(url)", f"{site}/bench/large.mesh")
+    ui.set_status(mesh, {"lighting": {"mode": "object_space_ao"}})
+    mesh.evaluate("() => window.hexalab.settled()")
+    width = "() => document.getElementById('canvas').width"
+    whole = mesh.evaluate(width)
+    box = mesh.locator("#slice").bounding_box()
+    assert box
+    y = box["y"] + box["height"] / 2
+    mesh.mouse.move(box["x"] + 8, y)
+    mesh.mouse.down()
+    for step in range(8):
+        mesh.mouse.move(box["x"] + box["width"] * (0.1 + 0.05 * step), y)
+        mesh.wait_for_timeout(60)
+    draft = mesh.evaluate(
+        "() => ({ width: document.getElementById('canvas').width, ...window.hexalab.drawn() })"
+    )
+    mesh.mouse.up()
+    assert draft["width"] == -(-whole // 2)
+    assert draft["edges"] == 0
+    assert 5000 < draft["faces"] < 6 * 36**2
+    ui.until(lambda: mesh.evaluate("() => window.hexalab.drawn().edges") > 0)
+    mesh.evaluate("() => window.hexalab.settled()")
+    assert mesh.evaluate(width) == whole
+    picture = "async () => (await window.hexalab.screenshot({ width: 300, height: 200 })).size"
+    size = mesh.evaluate(picture)
+    again = ui.status(mesh)
+    ui.set_status(mesh, {"filters": {"peel": {"depth": 1}}})
+    ui.set_status(mesh, again)
+    mesh.evaluate("() => window.hexalab.settled()")
+    assert mesh.evaluate(picture) == size  # nothing is left of the draft
+    ui.open_mesh(mesh, site, shelf, MESH, "filters.mesh")
+
+
 def test_F6_the_slice_follows_the_pointer_while_it_is_dragged(mesh: Page) -> None:
     box = mesh.locator("#slice").bounding_box()
     assert box

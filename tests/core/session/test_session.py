@@ -95,6 +95,28 @@ def test_A1_the_first_update_brings_all_and_the_second_nothing(block: Session) -
     assert second["status"] == first["status"]
 
 
+@pytest.mark.parametrize("mode", ["lines", "darkness_coded_edges", "fissure", "rounded"])
+def test_P2_what_a_lean_update_leaves_out_comes_with_the_next(block: Session, mode: str) -> None:
+    half = {
+        "filters": {"planes": {"items": [{"normal": [1, 0, 0], "offset": 0.5}]}},
+        "separation": {"mode": mode},
+    }
+    lean = block.update(half, lean=True)
+    assert "silhouette" not in lean
+    assert len(lean["surface"]["edges"]) == len(lean["surface"]["edge_cells"]) == 0
+    more = block.update(half)
+    block.redraw()
+    whole = block.redraw()
+    assert len(whole["silhouette"]["positions"]) == len(more["silhouette"]["positions"]) > 0
+    lined = mode in ("lines", "darkness_coded_edges")
+    assert ("surface" in more) == lined
+    surface = more["surface"] if lined else lean["surface"]
+    for name in ("positions", "normals", "faces", "edges", "edge_cells"):
+        assert np.array_equal(surface[name], whole["surface"][name]), name
+    assert (len(surface["edges"]) > 0) == lined
+    assert set(block.update(half)) & BUFFERS == set()
+
+
 def test_S2_status_round_trip_changes_nothing(block: Session) -> None:
     block.update(
         {"filters": {"planes": {"items": [{"normal": [0, 1, 0], "offset": 0.3}]}}, "silhouette": 0.5}
