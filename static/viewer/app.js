@@ -78,6 +78,7 @@ export class App {
     );
     scene.on("contextrestored", () => messages.settle("context"));
     this.catalogue = this.#fetchCatalogue();
+    setTimeout(() => scene.warmUp());
   }
 
   async #restarted() {

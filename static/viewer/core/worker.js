@@ -17,6 +17,9 @@ let asked = false;
 /** Milliseconds to wait for a question before the core warms up. */
 const IDLE = 50;
 
+/** Milliseconds without a question before a file is hashed. */
+const REST = 60;
+
 /**
  * @param {string} runtime address of the folder with the interpreter, ending in a slash
  */
@@ -121,10 +124,23 @@ function answer({ id, method, args }) {
   }
 }
 
-/** @param {ArrayBuffer} bytes */
-async function identify(bytes) {
+/** The file that is to be identified once nothing else is asked for. @type {{ opened: number, bytes: ArrayBuffer } | null} */
+let unidentified = null;
+let waiting = 0;
+
+/** Hashing takes a core for a while: the first picture and the first numbers come before. */
+function identifySoon() {
+  clearTimeout(waiting);
+  if (unidentified) waiting = setTimeout(identify, REST);
+}
+
+async function identify() {
+  if (!unidentified) return;
+  const { opened, bytes } = unidentified;
+  unidentified = null;
   const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
-  return Array.from(digest, (byte) => byte.toString(16).padStart(2, "0")).join("");
+  const sha256 = Array.from(digest, (byte) => byte.toString(16).padStart(2, "0")).join("");
+  postMessage({ opened, sha256 });
 }
 
 self.onmessage = async ({ data }) => {
@@ -139,5 +155,6 @@ self.onmessage = async ({ data }) => {
   asked = true;
   answer(data);
   const bytes = data.method === "open" && data.args[1];
-  if (bytes instanceof ArrayBuffer) postMessage({ opened: data.id, sha256: await identify(bytes) });
+  if (bytes instanceof ArrayBuffer) unidentified = { opened: data.id, bytes };
+  identifySoon();
 };

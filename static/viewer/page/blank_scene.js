@@ -3,6 +3,7 @@ export class BlankScene {
   timings = {};
   hurried = false;
   outward = false;
+  warmUp() {}
   setMesh() {}
   setSurface() {}
   setSilhouette() {}

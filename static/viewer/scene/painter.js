@@ -10,7 +10,7 @@ import {
   WebGLRenderer,
 } from "three";
 import { componentsOf } from "./colour.js";
-import { Copier } from "./copier.js";
+import { copy } from "./copy.js";
 
 ColorManagement.enabled = false;
 
@@ -27,7 +27,7 @@ const COARSE = 2;
  * irregular edges), overlay (plane, highlight). They are drawn in that order in one go, so that a target of several samples
  * is resolved once; three keeps an order only among what it calls transparent, so all that is in them does.
  *
- * The canvas takes whole pictures, smoothed by four samples, or drafts of larger pixels and one sample, for GPUs that are too
+ * The canvas shows whole pictures, smoothed by four samples, or drafts of larger pixels and one sample, for GPUs that are too
  * slow to draw a whole one for every move.
  */
 export class Painter {
@@ -37,15 +37,16 @@ export class Painter {
   overlay = new Group();
   renderer;
   #scene = new Scene();
-  #copier = new Copier();
   /** @type {WebGLRenderTarget | null} */
   #whole = null;
   /** The backdrop of the drafts, for as long as neither it nor the camera changes. @type {WebGLRenderTarget | null} */
   #behind = null;
   #behindOf = "";
   #backdropVersion = 0;
+  /** @type {WebGLRenderTarget | null} */
+  #draft = null;
   #size = { width: 1, height: 1 };
-  #draft = false;
+  #small = false;
   /** @type {[number, number, number]} */
   #background = [1, 1, 1];
 
@@ -81,11 +82,16 @@ export class Painter {
     this.#background = componentsOf(colour);
   }
 
-  /** Pixels of the canvas: fewer for a draft. @param {boolean} draft */
+  /** Pixels of a picture on the canvas: fewer for a draft. @param {boolean} draft */
   pixels(draft) {
     const { width, height } = this.#size;
     if (!draft) return { width, height };
     return { width: Math.ceil(width / COARSE), height: Math.ceil(height / COARSE) };
+  }
+
+  /** Pixels of the canvas at this moment. */
+  get canvas() {
+    return this.pixels(this.#small);
   }
 
   /**
@@ -93,10 +99,12 @@ export class Painter {
    *
    * @param {import("three").Camera} camera
    * @param {boolean} draft
+   * @param {boolean} [many] more drafts will follow: then the canvas itself becomes small, which takes longer than a draft but
+   *   makes each faster
    */
-  show(camera, draft) {
-    if (draft !== this.#draft) {
-      this.#draft = draft;
+  show(camera, draft, many = false) {
+    if ((draft && many) !== this.#small) {
+      this.#small = draft && many;
       this.#fit();
     }
     if (draft) return this.#paintDraft(camera);
@@ -107,7 +115,7 @@ export class Painter {
       generateMipmaps: false,
     });
     this.paint(camera, this.#whole);
-    this.#copier.copy(this.renderer, this.#whole.texture);
+    copy(this.renderer, this.#whole, null, this.#size);
   }
 
   /** What is in the backdrop, or how it looks, has changed. */
@@ -117,10 +125,13 @@ export class Painter {
 
   /** @param {import("three").Camera} camera */
   #paintDraft(camera) {
-    const { width, height } = this.pixels(true);
+    const size = this.pixels(true);
+    const target = () => new WebGLRenderTarget(size.width, size.height, { generateMipmaps: false });
+    this.#behind ??= target();
+    if (!this.#small) this.#draft ??= target();
+    const onto = this.#small ? null : this.#draft;
     const view = [...camera.matrixWorld.elements, ...camera.projectionMatrix.elements];
     const wanted = [this.#backdropVersion, ...this.#background, ...view].join();
-    this.#behind ??= new WebGLRenderTarget(width, height, { generateMipmaps: false, depthBuffer: true });
     if (wanted !== this.#behindOf) {
       this.#behindOf = wanted;
       this.#begin(this.#behind, false);
@@ -128,11 +139,12 @@ export class Painter {
       this.renderer.render(this.#scene, camera);
       for (const part of [this.model, this.ink, this.overlay]) part.visible = true;
     }
-    this.#begin(null, false);
-    this.#copier.copy(this.renderer, this.#behind.texture);
+    this.#begin(onto, false);
+    copy(this.renderer, this.#behind, onto, size);
     this.backdrop.visible = false;
     this.renderer.render(this.#scene, camera);
     this.backdrop.visible = true;
+    if (onto) copy(this.renderer, onto, null, this.#size);
   }
 
   /**
@@ -181,23 +193,20 @@ export class Painter {
   }
 
   #fit() {
-    const { width, height } = this.pixels(this.#draft);
-    this.renderer.setPixelRatio(1);
+    const { width, height } = this.canvas;
     this.renderer.setSize(width, height, false);
     this.renderer.setViewport(new Vector4(0, 0, width, height));
   }
 
   /** Gives up its targets, to make new ones when next asked. */
   forget() {
-    this.#whole?.dispose();
-    this.#behind?.dispose();
-    this.#whole = this.#behind = null;
+    for (const target of [this.#whole, this.#behind, this.#draft]) target?.dispose();
+    this.#whole = this.#behind = this.#draft = null;
     this.#behindOf = "";
   }
 
   dispose() {
     this.forget();
-    this.#copier.dispose();
     this.renderer.dispose();
   }
 }

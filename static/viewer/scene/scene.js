@@ -11,6 +11,7 @@ import { planeExtent } from "./plane_extent.js";
 import { release } from "./release.js";
 import { takePicture } from "./screenshot.js";
 import { Trackball } from "./trackball.js";
+import { UNSEEN } from "./unseen.js";
 
 /** Milliseconds after the last change during which the user counts as busy. */
 const BUSY = 160;
@@ -112,6 +113,23 @@ export class Scene {
    */
   on(name, listener) {
     return this.#events.on(name, listener);
+  }
+
+  /** Has the GPU prepare all its programs, on a face that stands behind the eye, before there is a mesh. */
+  warmUp() {
+    if (this.#mesh.cells > 0 || this.#painter.gl.isContextLost()) return;
+    const rig = new CameraRig();
+    rig.update();
+    this.#layers.setSurface(UNSEEN);
+    this.#layers.setSilhouette(UNSEEN);
+    this.#lighting.restart();
+    this.#lighting.object.advance(1);
+    for (const draft of [true, false]) {
+      this.#layers.view({ width: 1, height: 1, pixelRatio: 1, pixel: 1, draft, outside: false });
+      this.#painter.show(rig.camera, draft);
+    }
+    this.#layers.setSilhouette(null);
+    this.setSurface(null);
   }
 
   /** Begins another mesh: what was drawn of the last one goes. @param {import("./types.js").MeshFrame} mesh */
@@ -384,9 +402,11 @@ export class Scene {
     const pixelRatio = (this.#pixelRatio * width) / this.#painter.pixels(false).width;
     this.#aim(this.#size.width / this.#size.height);
     this.#prepare({ width, height, whole: height, pixelRatio, draft });
-    this.#painter.show(this.#rig.camera, draft);
+    this.#painter.show(this.#rig.camera, draft, this.#held);
+    const canvas = this.#painter.canvas.width;
+    const scale = (this.#pixelRatio * canvas) / this.#painter.pixels(false).width;
     this.#painter.corner((renderer) =>
-      this.#layers.gizmo.draw(renderer, this.#rig.orientation, width, pixelRatio),
+      this.#layers.gizmo.draw(renderer, this.#rig.orientation, canvas, scale),
     );
     this.timings.frame = performance.now() - started;
     if (draft) return;
