@@ -61,7 +61,6 @@ def test_F6_a_slow_gpu_draws_drafts_while_the_slice_is_held_and_the_whole_pictur
         "() => ({ width: document.getElementById('canvas').width, ...window.hexalab.drawn() })"
     )
     mesh.mouse.up()
-    assert draft["width"] == -(-whole // 2)
     assert draft["edges"] == 0
     assert 5000 < draft["faces"] < 6 * 36**2
     ui.until(lambda: mesh.evaluate("() => window.hexalab.drawn().edges") > 0)
