@@ -12,8 +12,9 @@ const BATCH = 16;
 /** Lots from which on the GPU counts as fast: the screen-space term is drawn besides, to smooth the first directions. */
 const FAST = 32;
 
-/** A new picture is worth drawing when the number of directions has grown by this. */
+/** A new picture is worth drawing when the number of directions has grown by this; on a slow GPU, where it costs much light. */
 const GROWTH = 3;
+const GROWTH_SLOW = 8;
 
 /**
  * Chooses and feeds the light of the surface: which terms are gathered, when, and how they are mixed in its shader.
@@ -68,9 +69,10 @@ export class Lighting {
    * One turn of gathering.
    *
    * @param {boolean} busy the user holds something: smaller lots
+   * @param {boolean} slow whether the GPU takes long for a picture
    * @returns {{ again: boolean, draw: boolean }}
    */
-  step(busy) {
+  step(busy, slow) {
     const { object } = this;
     if (this.settled) return { again: false, draw: false };
     const fresh = object.count === 0;
@@ -84,7 +86,7 @@ export class Lighting {
       this.#budget.given(wanted);
     }
     const draw = object.count >= this.#nextPicture || object.done;
-    if (draw) this.#nextPicture = Math.max(ENOUGH, object.count * GROWTH);
+    if (draw) this.#nextPicture = Math.max(ENOUGH, object.count * (slow ? GROWTH_SLOW : GROWTH));
     return { again: !object.done, draw };
   }
 

@@ -357,7 +357,7 @@ export class Scene {
     const still = now - this.#surfaced > (this.#held ? HELD : STILL);
     if (this.#slow && (this.#pace.watching || (busy && !still))) return { again: true, draw: false };
     if (this.#draft && this.#held && !busy) this.#events.emit("calm", null);
-    const { again, draw } = this.#lighting.step(busy);
+    const { again, draw } = this.#lighting.step(busy, this.#slow);
     return { again: again || this.#draft, draw: draw || (this.#draft && !busy) };
   }
 
