@@ -12,6 +12,9 @@ import { SurfaceLayer } from "./surface_layer.js";
 /** Ink of a surface edge by the number of shown cells around it: darkness-coded edges. Row 0: all alike. */
 const EDGE_STYLES = [1, 0.3, 0.65, 1].map((ink) => ({ colour: "#000000", ink }));
 
+/** Ink of an edge in the mean, by separation mode. */
+const MEAN_INK = { lines: 1, darkness_coded_edges: EDGE_STYLES[2].ink, fissure: 0, rounded: 0 };
+
 const NO_EDGES = new Float32Array(0);
 
 /** Parts of the status that change how the layers look. */
@@ -118,22 +121,22 @@ export class Layers {
       this.#edged = true;
     }
     this.edges.mesh.visible = edged && !view.draft;
-    this.surface.setDraft(view.draft, edged ? this.#draftInk(view) : 0);
+    this.surface.setDraft(view.draft, this.#draftInk(view));
     this.surface.fronts = this.outward && view.outside;
     this.silhouette.draft = view.draft;
     for (const layer of [this.edges, this.irregular, this.plane, this.highlight]) layer.view(view);
   }
 
   /**
-   * Ink of all edges alike: as much as the lines have in the mean.
+   * Ink of all edges alike: as much as the lines have in the mean. A draft needs no lines to know where edges are.
    *
    * @param {{ pixel: number, pixelRatio: number }} view
    */
   #draftInk({ pixel, pixelRatio }) {
     const { surface, edge } = this.surface;
     const thinned = fading(edge / pixel);
-    const coded = surface?.edge_cells?.length ? EDGE_STYLES[2].ink : 1;
-    return this.edges.opacity * coded * thinned * Math.min(1, this.edges.width * pixelRatio);
+    const ink = MEAN_INK[surface?.mode ?? "fissure"];
+    return this.edges.opacity * ink * thinned * Math.min(1, this.edges.width * pixelRatio);
   }
 
   /** The context is lost: gives up what lay in it. */
