@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import io
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from PIL import Image
 from playwright.sync_api import Browser, Page
 
 import hexalab
@@ -57,10 +59,13 @@ def test_F6_a_slow_gpu_draws_drafts_while_the_slice_is_held_and_the_whole_pictur
     for step in range(8):
         mesh.mouse.move(box["x"] + box["width"] * (0.1 + 0.05 * step), y)
         mesh.wait_for_timeout(60)
-    draft = mesh.evaluate(
-        "() => ({ width: document.getElementById('canvas').width, ...window.hexalab.drawn() })"
-    )
+    draft = mesh.evaluate("() => window.hexalab.drawn()")
+    seen = Image.open(io.BytesIO(mesh.locator("#canvas").screenshot())).convert("L")
     mesh.mouse.up()
+    grey = np.asarray(seen).astype(float)
+    height, width = grey.shape
+    middle = grey[2 * height // 5 : 3 * height // 5, width // 2 : 3 * width // 5]
+    assert np.abs(np.diff(middle, axis=1)).mean() > 1  # edges are seen, though the core sent none
     assert draft["edges"] == 0
     assert 5000 < draft["faces"] < 6 * 36**2
     ui.until(lambda: mesh.evaluate("() => window.hexalab.drawn().edges") > 0)
