@@ -1,57 +1,25 @@
-import { CELL_TEXEL, VERTEX_TEXEL } from "./texel.js";
+import { SURFACE_COLOUR, SURFACE_INPUTS } from "./surface_shader.js";
 
 /**
  * The shown surface with its edges, for GPUs that are too slow for the whole picture while something moves: colour and light
  * come from the vertices alone, and an edge is what of a face lies within a pixel of its sides.
  */
 export const DRAFT_VERTEX = `
-precision highp float;
-precision highp int;
-precision highp sampler2D;
-precision highp usampler2D;
-
-in vec3 position;
-in vec4 normal;
-in uint cell;
-in float inside;
-
-uniform mat4 modelViewMatrix;
-uniform mat4 projectionMatrix;
-uniform mat3 normalMatrix;
+${SURFACE_INPUTS}
 uniform int lighting;
-uniform bool byCell;
-uniform vec3 outsideColour;
-uniform vec3 insideColour;
-uniform vec3 missingColour;
-uniform sampler2D cellValues;
-uniform sampler2D palette;
-uniform float paletteScale;
-uniform usampler2D occlusion;
-uniform float occlusionShare;
 
 out vec3 vColour;
 out vec3 vPlace;
 
-${CELL_TEXEL}
-${VERTEX_TEXEL}
-
+${SURFACE_COLOUR}
 void main() {
   vec4 view = modelViewMatrix * vec4(position, 1.0);
   gl_Position = projectionMatrix * view;
   vec3 eye = projectionMatrix[3][3] == 1.0 ? vec3(0.0, 0.0, 1.0) : normalize(view.xyz);
   float facing = abs(dot(normalize(normalMatrix * normal.xyz), eye));
   float light = lighting == 1 ? mix(0.36, 1.0, pow(facing, 0.8)) : lighting == 0 ? 1.0 : mix(0.85, 1.0, facing);
-  if (occlusionShare > 0.0) {
-    uvec4 sums = texelFetch(occlusion, vertexTexel(gl_VertexID), 0);
-    if (sums.y > 0u) light *= min(1.0, float(max(sums.x, sums.z)) / float(sums.y));
-  }
-  vec3 colour = mix(outsideColour, insideColour, inside);
-  if (byCell) {
-    float value = texelFetch(cellValues, cellTexel(cell), 0).r;
-    int entry = int(clamp(value * paletteScale + 0.5, 0.0, 255.0));
-    colour = value < 0.0 ? missingColour : texelFetch(palette, ivec2(entry, 0), 0).rgb;
-  }
-  vColour = colour * light;
+  if (occlusionShare > 0.0) light *= openness(gl_VertexID);
+  vColour = colourOf(cell, inside) * light;
   // The third side of a triangle a b c c is the diagonal of its square; the square itself has none to draw.
   int corner = gl_VertexID & 3;
   vec2 place = vec2(corner == 1 || corner == 2 ? 1.0 : 0.0, corner > 1 ? 1.0 : 0.0);

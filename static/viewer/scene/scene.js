@@ -4,6 +4,7 @@ import { CameraRig } from "./camera_rig.js";
 import { Emitter } from "./emitter.js";
 import { FrameLoop } from "./frame_loop.js";
 import { Layers } from "./layers.js";
+import { Motion } from "./motion.js";
 import { Pace } from "./pace.js";
 import { Painter } from "./painter.js";
 import { Picker } from "./picker.js";
@@ -12,15 +13,6 @@ import { release } from "./release.js";
 import { takePicture } from "./screenshot.js";
 import { Trackball } from "./trackball.js";
 import { UNSEEN } from "./unseen.js";
-
-/** Milliseconds after the last change during which the user counts as busy. */
-const BUSY = 160;
-
-/** The same while a button of the pointer is down, for a GPU too slow to draw whole pictures meanwhile. */
-const HELD = 600;
-
-/** Milliseconds after a new surface before such a GPU gathers light on it: another may be on its way. */
-const STILL = 120;
 
 /**
  * The drawing of one mesh on one canvas: takes the core's buffers and the status document, draws when something changed.
@@ -42,17 +34,14 @@ export class Scene {
   #loop;
   #trackball;
   #lighting;
+  #motion;
   #pace;
   #picker;
   #layers;
   #pixelRatio = 1;
   #size = { width: 1, height: 1 };
-  #changed = 0;
-  #surfaced = 0;
   /** Whether the canvas shows a draft. */
   #draft = false;
-  /** Whether a button of the pointer is down, on a slider as well as on the drawing. */
-  #held = false;
   #abort = new AbortController();
   /** @type {import("./types.js").MeshFrame} */
   #mesh = { cells: 0 };
@@ -79,16 +68,12 @@ export class Scene {
       centred: ({ x, y }) => this.#centre(x, y),
     });
     const { signal } = this.#abort;
-    for (const name of ["pointerdown", "pointerup", "pointercancel"])
-      window.addEventListener(name, () => this.#hold(name === "pointerdown"), { signal, capture: true });
-    // A button let go outside of the window tells nobody.
-    window.addEventListener(
-      "pointermove",
-      ({ buttons }) => buttons === 0 && this.#held && this.#hold(false),
+    this.#motion = new Motion(
       {
-        signal,
-        capture: true,
+        slow: () => this.#pace.slow(this.#layers.surface.surface?.faces.length ?? 0),
+        released: () => this.#events.emit("calm", null),
       },
+      signal,
     );
     canvas.addEventListener("webglcontextlost", (event) => this.#lost(event), { signal });
     canvas.addEventListener("webglcontextrestored", () => this.#restored(), { signal });
@@ -160,8 +145,8 @@ export class Scene {
     this.#lighting.restart();
     this.timings.upload = performance.now() - started;
     if (same) return this.#loop.invalidate();
-    this.#surfaced = started;
-    this.#touch();
+    this.#motion.surfaced();
+    this.#loop.invalidate();
   }
 
   /** @param {import("./types.js").Silhouette | null} silhouette */
@@ -314,7 +299,7 @@ export class Scene {
   }
 
   #touch() {
-    this.#changed = performance.now();
+    this.#motion.touch();
     this.#loop.invalidate();
   }
 
@@ -351,35 +336,25 @@ export class Scene {
    * @returns {{ again: boolean, draw: boolean }}
    */
   #step(now) {
+    const { held, slow } = this.#motion;
     const busy = this.#busy(now);
     // A slow GPU does one large thing at a time, so that the next move finds it free soon, and gathers no light on a
     // surface that another follows.
-    const still = now - this.#surfaced > (this.#held ? HELD : STILL);
-    if (this.#slow && (this.#pace.watching || (busy && !still))) return { again: true, draw: false };
-    if (this.#draft && this.#held && !busy) this.#events.emit("calm", null);
-    const { again, draw } = this.#lighting.step(busy, this.#slow);
+    if (slow && (this.#pace.watching || (busy && !this.#motion.still(now))))
+      return { again: true, draw: false };
+    if (this.#draft && held && !busy) this.#events.emit("calm", null);
+    const { again, draw } = this.#lighting.step(busy, slow);
     return { again: again || this.#draft, draw: draw || (this.#draft && !busy) };
-  }
-
-  /** @param {boolean} held whether a button of the pointer is down */
-  #hold(held) {
-    this.#held = held;
-    if (!held) this.#events.emit("calm", null);
   }
 
   /** Whether surfaces are wanted fast rather than whole. */
   get hurried() {
-    return this.#held && this.#slow;
+    return this.#motion.hurried;
   }
 
   /** @param {number} now */
   #busy(now) {
-    const rest = this.hurried ? HELD : BUSY;
-    return this.#trackball.active || now - this.#changed < rest;
-  }
-
-  get #slow() {
-    return this.#pace.slow(this.#layers.surface.surface?.faces.length ?? 0);
+    return this.#trackball.active || this.#motion.busy(now);
   }
 
   /**
@@ -394,19 +369,23 @@ export class Scene {
     this.#lighting.prepare(this.#rig.camera, { width, height, perUnit: 1 / pixel, draft });
   }
 
+  /** Pixels to a CSS pixel in a picture of that width. @param {number} width */
+  #ratioOf(width) {
+    return (this.#pixelRatio * width) / this.#painter.pixels(false).width;
+  }
+
   #draw() {
     const started = performance.now();
-    const draft = this.#busy(started) && this.#slow;
+    const draft = this.#busy(started) && this.#motion.slow;
     this.#draft = draft;
     const { width, height } = this.#painter.pixels(draft);
-    const pixelRatio = (this.#pixelRatio * width) / this.#painter.pixels(false).width;
+    const pixelRatio = this.#ratioOf(width);
     this.#aim(this.#size.width / this.#size.height);
     this.#prepare({ width, height, whole: height, pixelRatio, draft });
-    this.#painter.show(this.#rig.camera, draft, this.#held);
+    this.#painter.show(this.#rig.camera, draft, this.#motion.held);
     const canvas = this.#painter.canvas.width;
-    const scale = (this.#pixelRatio * canvas) / this.#painter.pixels(false).width;
     this.#painter.corner((renderer) =>
-      this.#layers.gizmo.draw(renderer, this.#rig.orientation, canvas, scale),
+      this.#layers.gizmo.draw(renderer, this.#rig.orientation, canvas, this.#ratioOf(canvas)),
     );
     this.timings.frame = performance.now() - started;
     if (draft) return;

@@ -13,14 +13,17 @@ import {
 import { componentsOf } from "./colour.js";
 import { flatQuadIndex } from "./quad_index.js";
 
-const VERTEX = `
+const INPUTS = `
 precision highp float;
 in vec3 position;
 in vec4 normal;
 uniform mat4 modelViewMatrix;
 uniform mat4 projectionMatrix;
 uniform mat3 normalMatrix;
-out vec3 vNormal;
+`;
+
+const VERTEX = `
+${INPUTS}out vec3 vNormal;
 out vec3 vView;
 invariant gl_Position;
 void main() {
@@ -51,13 +54,7 @@ void main() {
 `;
 
 const DRAFT_VERTEX = `
-precision highp float;
-in vec3 position;
-in vec4 normal;
-uniform mat4 modelViewMatrix;
-uniform mat4 projectionMatrix;
-uniform mat3 normalMatrix;
-uniform vec4 ink;
+${INPUTS}uniform vec4 ink;
 out vec4 vInk;
 void main() {
   vec4 view = modelViewMatrix * vec4(position, 1.0);

@@ -1,10 +1,7 @@
 import { CELL_TEXEL, VERTEX_TEXEL } from "./texel.js";
 
-/**
- * The shown surface. Colour comes from the face's side or, by cell number, from the cell's value and the colour map. Light
- * multiplies it: nothing else touches a colour, so that a fully lit face has exactly the colour that was chosen.
- */
-export const SURFACE_VERTEX = `
+/** GLSL: what the surface's vertices hold, and what colours them. */
+export const SURFACE_INPUTS = `
 precision highp float;
 precision highp int;
 precision highp sampler2D;
@@ -27,7 +24,32 @@ uniform sampler2D palette;
 uniform float paletteScale;
 uniform usampler2D occlusion;
 uniform float occlusionShare;
-uniform bool fourByFour;
+`;
+
+/** GLSL: a vertex's colour before light, and how open it is to light. */
+export const SURFACE_COLOUR = `
+${CELL_TEXEL}
+${VERTEX_TEXEL}
+
+vec3 colourOf(uint cell, float inside) {
+  if (!byCell) return mix(outsideColour, insideColour, inside);
+  float value = texelFetch(cellValues, cellTexel(cell), 0).r;
+  int entry = int(clamp(value * paletteScale + 0.5, 0.0, 255.0));
+  return value < 0.0 ? missingColour : texelFetch(palette, ivec2(entry, 0), 0).rgb;
+}
+
+float openness(int vertex) {
+  uvec4 sums = texelFetch(occlusion, vertexTexel(vertex), 0);
+  return sums.y == 0u ? 1.0 : min(1.0, float(max(sums.x, sums.z)) / float(sums.y));
+}
+`;
+
+/**
+ * The shown surface. Colour comes from the face's side or, by cell number, from the cell's value and the colour map. Light
+ * multiplies it: nothing else touches a colour, so that a fully lit face has exactly the colour that was chosen.
+ */
+export const SURFACE_VERTEX = `
+${SURFACE_INPUTS}uniform bool fourByFour;
 
 out vec3 vColour;
 out vec3 vNormal;
@@ -36,25 +58,13 @@ out vec2 vPlace;
 out float vOpen;
 flat out vec4 vCorners;
 
-${CELL_TEXEL}
-${VERTEX_TEXEL}
-
-float openness(int vertex) {
-  uvec4 sums = texelFetch(occlusion, vertexTexel(vertex), 0);
-  return sums.y == 0u ? 1.0 : min(1.0, float(max(sums.x, sums.z)) / float(sums.y));
-}
-
+${SURFACE_COLOUR}
 void main() {
   vec4 view = modelViewMatrix * vec4(position, 1.0);
   gl_Position = projectionMatrix * view;
   vView = projectionMatrix[3][3] == 1.0 ? vec3(0.0, 0.0, 1.0) : -view.xyz;
   vNormal = normalMatrix * normal.xyz;
-  vColour = mix(outsideColour, insideColour, inside);
-  if (byCell) {
-    float value = texelFetch(cellValues, cellTexel(cell), 0).r;
-    int entry = int(clamp(value * paletteScale + 0.5, 0.0, 255.0));
-    vColour = value < 0.0 ? missingColour : texelFetch(palette, ivec2(entry, 0), 0).rgb;
-  }
+  vColour = colourOf(cell, inside);
   vPlace = vec2(0.0);
   vCorners = vec4(1.0);
   vOpen = 1.0;
