@@ -26,17 +26,25 @@ SLICE = """async (offset) => {
     return [performance.now() - began, window.hexalab.timings().slice];
 }"""
 
+MODES = ("lines", "darkness_coded_edges", "fissure", "rounded")
+
+MODE = """async (mode) => {
+    await window.hexalab.setStatus({ separation: { mode } });
+    return window.hexalab.timings().surface;
+}"""
+
 
 def run(folder: Path) -> None:
     """Print the browser's tables."""
     for name in SIZES:
         grid_file(name, ".mesh", folder)
     _start(folder)
-    rows, slices = [], []
+    rows, slices, surfaces = [], [], []
     for name in SIZES:
         with viewer(folder) as (page, address, errors):
             rows.append([name, *_open(page, f"{address}/bench/grid-{name}.mesh"), ORIGINAL_OPEN[name]])
             slices.append([name, *_slice(page)])
+            surfaces.append([name, *_modes(page)])
             if errors:
                 raise RuntimeError(f"the console reported {errors[0]}")
     table("browser: open a .mesh, file to picture [ms]", ["mesh", "open", *STEPS, "original"], rows)
@@ -45,6 +53,7 @@ def run(folder: Path) -> None:
         ["mesh", "core, median", "core, worst", "to picture, median", "worst"],
         slices,
     )
+    table("browser: surface of the half cut, in the core, median of 5 [ms]", ["mesh", *MODES], surfaces)
     dragging.run(folder, "direct")
     dragging.run(folder)
 
@@ -69,6 +78,15 @@ def _slice(page: Page) -> list[float]:
     times = [page.evaluate(SLICE, 0.3 + 0.01 * step) for step in range(41)]
     picture, core = zip(*times, strict=True)
     return [statistics.median(core), max(core), statistics.median(picture), max(picture)]
+
+
+def _modes(page: Page) -> list[float]:
+    """What the surface of each separation mode takes in the core."""
+    page.evaluate(SLICE, 0.5)
+    page.evaluate("() => window.hexalab.setStatus({ lighting: { mode: 'direct' } })")
+    rounds = [[page.evaluate(MODE, mode) for mode in MODES[1:] + MODES[:1]] for _ in range(5)]
+    *others, lines = (statistics.median(times) for times in zip(*rounds, strict=True))
+    return [lines, *others]
 
 
 def _start(folder: Path) -> None:
