@@ -10,10 +10,11 @@ import os
 from typing import BinaryIO
 
 from . import formats
+from .cells import KINDS
 from .diagnosis import Finding, diagnose, turn_round
 from .errors import HexaLabError, MeshReadError, MeshWriteError
 from .formats import FORMATS, write
-from .mesh import KINDS, Mesh
+from .mesh import Mesh
 from .quality import METRICS, Metric, Validity, certify, histogram, quality, quality_many, statistics
 from .summary import summarise
 

@@ -13,8 +13,10 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from .arrays import CHUNK, Array, Floats, Ids
+from .cells import CORNERS_OF_KIND, HEXAHEDRON
 from .errors import HexaLabError
-from .mesh import CHUNK, CORNERS_OF_KIND, HEXAHEDRON, Array, Floats, Ids, Mesh
+from .mesh import Mesh
 
 AXES = "xyz"
 MOST_COMPONENTS = 9

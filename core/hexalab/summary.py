@@ -7,8 +7,10 @@ from typing import Any
 
 import numpy as np
 
+from .arrays import Floats
+from .cells import HEXAHEDRON
 from .diagnosis import diagnose
-from .mesh import HEXAHEDRON, Floats, Mesh
+from .mesh import Mesh
 from .packing import jsonable
 from .quality import METRICS, quality_many, statistics
 

@@ -14,7 +14,7 @@ from playwright.sync_api import Browser, Page
 
 import hexalab
 from benchmarks.modes import WALK, differences, steps
-from hexalab.mesh import COLLAPSE, HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
+from hexalab.cells import COLLAPSE, HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
 
 from . import guards
 from .conftest import grid

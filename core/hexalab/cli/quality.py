@@ -10,7 +10,7 @@ from difflib import get_close_matches
 from typing import Any
 
 from .. import METRICS, quality_many, read
-from ..mesh import Floats
+from ..arrays import Floats
 from ..packing import jsonable
 from ..summary import STATISTICS, measures
 from .tables import quality_table

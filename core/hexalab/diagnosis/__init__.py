@@ -11,7 +11,9 @@ from typing import Literal
 
 import numpy as np
 
-from ..mesh import CORNERS_OF_KIND, KINDS, Array, Ids, Mesh
+from ..arrays import Array, Ids
+from ..cells import CORNERS_OF_KIND, KINDS
+from ..mesh import Mesh
 from .coincidence import coincident_vertices
 from .orientation import TURNED, signs, turn_round
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..mesh import Array, Floats, Ids, Mesh
+from ..arrays import Array, Floats, Ids
+from ..mesh import Mesh
 
 TOLERANCE = 1e-9
 """Vertices nearer than this part of the mesh's diagonal are at one place."""

@@ -8,7 +8,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import COLLAPSE, CORNERS_OF_KIND, FACES, HEXAHEDRON, KINDS, Array, Floats, Mesh
+from ..arrays import Array, Floats
+from ..cells import COLLAPSE, CORNERS_OF_KIND, FACES, HEXAHEDRON, KINDS
+from ..mesh import Mesh
 
 CHUNK = 8192
 """Cells in a chunk: some seventy temporaries of it stay in the cache."""

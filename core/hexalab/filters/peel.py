@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import Ids
+from ..arrays import Ids
 
 
 def peel(depth: Ids, layers: int) -> NDArray[np.bool_]:

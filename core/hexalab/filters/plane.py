@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import CHUNK, Floats, Ids
+from ..arrays import CHUNK, Floats, Ids
 
 OPPOSITE = -cos(radians(20))
 """A view whose cosine with the plane's normal is below this is opposite to it: the plane is inverted."""

@@ -7,7 +7,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import Floats
+from ..arrays import Floats
 
 Keep = Literal["inside", "outside"]
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import Ids
+from ..arrays import Ids
 from ..topology import Topology
 from ..topology.interface import InterfaceFinder
 

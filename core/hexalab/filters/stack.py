@@ -14,7 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import Floats, Mesh
+from ..arrays import Floats
+from ..mesh import Mesh
 from ..quality import METRICS
 from .peel import peel
 from .picking import pick

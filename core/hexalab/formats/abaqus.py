@@ -11,8 +11,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ..arrays import Array
+from ..cells import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
 from ..errors import MeshReadError
-from ..mesh import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE, Array, Mesh
+from ..mesh import Mesh
 from .assembly import WEDGE_OF_OTHERS, Assembly, CellBlock, check_finite
 from .ids import Numbering, whole_tags
 from .source import Source

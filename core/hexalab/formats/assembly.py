@@ -8,8 +8,10 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from ..arrays import Array, Floats, Ids
+from ..cells import COLLAPSE, HEXAHEDRON, KINDS
 from ..errors import MeshReadError
-from ..mesh import COLLAPSE, HEXAHEDRON, KINDS, Array, Floats, Ids, Mesh
+from ..mesh import Mesh
 from .ids import LARGEST_ID
 from .source import Source
 

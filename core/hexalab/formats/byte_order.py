@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from ..mesh import Array
+from ..arrays import Array
 
 STRETCH = 1 << 18
 """Bytes that are converted at a time: few enough that reading them column by column stays in cache."""

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..arrays import Array
 from ..errors import MeshReadError
-from ..mesh import Array, Mesh
+from ..mesh import Mesh
 from .assembly import Assembly, CellBlock, check_finite, free_name
 from .gmsh2 import Gmsh2
 from .gmsh4 import Gmsh4

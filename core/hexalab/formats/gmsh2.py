@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..arrays import Array
 from ..errors import MeshReadError
-from ..mesh import Array
 from .assembly import Assembly
 from .byte_order import as_coordinates, native
 from .gmsh_numbers import Numbers

@@ -6,7 +6,7 @@ import re
 
 import numpy as np
 
-from ..mesh import Array
+from ..arrays import Array
 from .gmsh_numbers import Numbers
 from .ids import whole_tags
 

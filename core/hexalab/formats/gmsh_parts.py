@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..mesh import KINDS, WEDGE, Array, Floats
+from ..arrays import Array, Floats
+from ..cells import KINDS, WEDGE
 from .assembly import WEDGE_OF_OTHERS, Assembly
 from .gmsh_types import ELEMENTS
 

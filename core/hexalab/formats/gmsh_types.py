@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..mesh import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
+from ..cells import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
 
 _SIZES: dict[str | int, dict[int, int]] = {
     "points": {15: 1},

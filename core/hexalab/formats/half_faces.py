@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE, Array
+from ..arrays import Array
+from ..cells import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
 
 BASE_SIZE = {HEXAHEDRON: 4, WEDGE: 3, PYRAMID: 4, TETRAHEDRON: 3}
 """Corners of the face that a cell is built up from."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import Array
+from ..arrays import Array
 from .byte_order import native
 
 LARGEST_ID = 2**31 - 2

@@ -12,8 +12,9 @@ from functools import partial
 
 import numpy as np
 
+from ..arrays import Array, Ids
 from ..errors import MeshReadError
-from ..mesh import Array, Ids, Mesh
+from ..mesh import Mesh
 from .assembly import Assembly, CellBlock, check_finite
 from .ids import within_int32
 from .medit_keywords import CELLS, ORDERS, SKIPPED, SURFACE

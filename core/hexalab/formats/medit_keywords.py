@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..mesh import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
+from ..cells import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
 from .assembly import WEDGE_OF_OTHERS
 
 CELLS = {

@@ -11,8 +11,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..arrays import Array
+from ..cells import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
 from ..errors import MeshReadError
-from ..mesh import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE, Array, Mesh
+from ..mesh import Mesh
 from .assembly import Assembly, CellBlock, check_finite, free_name
 from .half_faces import rebuilt
 from .ids import within_int32

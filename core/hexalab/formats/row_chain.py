@@ -13,8 +13,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..arrays import Array
 from ..errors import MeshReadError
-from ..mesh import Array
 
 ErrorAt = Callable[[str, int], MeshReadError]
 """Makes the error for a message about the number with that index in a block."""

@@ -7,7 +7,7 @@ import re
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import Array
+from ..arrays import Array
 from .assembly import Assembly, free_name
 from .byte_order import native
 from .text import Text

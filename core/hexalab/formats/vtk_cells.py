@@ -12,8 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ..arrays import CHUNK, Array, Floats, Ids
+from ..cells import HEXAHEDRON
 from ..errors import MeshReadError
-from ..mesh import CHUNK, HEXAHEDRON, Array, Floats, Ids
 from .assembly import Assembly, CellBlock, check_ids
 from .byte_order import native, stretches
 from .ids import as_int32, within_int32

@@ -12,7 +12,8 @@ import re
 
 import numpy as np
 
-from ..mesh import Array, Mesh
+from ..arrays import Array
+from ..mesh import Mesh
 from .assembly import Assembly, check_finite
 from .byte_order import as_coordinates
 from .row_chain import COUNTED, ErrorAt, row_starts

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ..mesh import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
+from ..cells import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
 
 
 @dataclass(frozen=True)

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import MeshReadError
-from ..mesh import Array
 from .row_chain import ErrorAt
 from .text import Text
 from .tokens import shown

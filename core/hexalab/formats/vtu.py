@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..arrays import Array
 from ..errors import MeshReadError
-from ..mesh import Array, Mesh
+from ..mesh import Mesh
 from .assembly import Assembly, check_finite, free_name
 from .byte_order import as_coordinates, native
 from .source import Source

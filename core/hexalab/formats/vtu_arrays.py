@@ -11,8 +11,8 @@ import zlib
 
 import numpy as np
 
+from ..arrays import Array
 from ..errors import MeshReadError
-from ..mesh import Array
 from .container import inflation_bound
 from .source import Source
 from .text import Text

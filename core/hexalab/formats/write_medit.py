@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..mesh import CHUNK, CORNERS_OF_KIND, Array, Mesh
+from ..arrays import CHUNK, Array
+from ..cells import CORNERS_OF_KIND
+from ..mesh import Mesh
 from .medit import REFERENCE
 from .medit_keywords import ORDERS
 

@@ -5,7 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import CHUNK, CORNERS_OF_KIND, HEXAHEDRON, Array, Mesh
+from ..arrays import CHUNK, Array
+from ..cells import CORNERS_OF_KIND, HEXAHEDRON
+from ..mesh import Mesh
 
 TYPES_OF_KINDS = (12, 13, 14, 10)
 """VTK's cell type for each kind."""

@@ -7,7 +7,8 @@ import zlib
 
 import numpy as np
 
-from ..mesh import Array, Mesh
+from ..arrays import Array
+from ..mesh import Mesh
 from .vtu_arrays import TYPES
 from .write_vtk import cell_types, connectivity, storable
 

@@ -7,7 +7,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from ..mesh import Array, Floats
+from ..arrays import Array, Floats
 
 BLOCK = 4096
 """Cells computed together: the few megabytes of intermediates stay in cache."""

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..mesh import Array, Floats, Ids
+from ..arrays import Array, Floats, Ids
 from .arena import Arena, cross, dot
 
 DEGREES = (slice(None, None, 2), 1)

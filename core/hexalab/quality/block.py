@@ -20,7 +20,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..mesh import Floats, Ids
+from ..arrays import Floats, Ids
 from .arena import Arena, cross, dot, shared
 
 BITS = (0, 1, 3, 2, 4, 5, 7, 6)

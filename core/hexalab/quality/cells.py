@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..mesh import CORNERS_OF_KIND, Floats, Ids
+from ..arrays import Floats, Ids
+from ..cells import CORNERS_OF_KIND
 from .arena import Arena, shared
 from .block import TOLERANCE
 

@@ -7,7 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from ..mesh import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE, Floats, Mesh
+from ..arrays import Floats
+from ..cells import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
+from ..mesh import Mesh
 from . import face_angles, hexahedron, hexahedron_shape, nodal, other_kinds
 from .arena import BLOCK
 from .block import HexahedronBlock

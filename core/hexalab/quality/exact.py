@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..mesh import Array, Floats
+from ..arrays import Array, Floats
 from .bezier import fill_middles
 
 EXPONENT_OF_ZERO = 1 << 20

@@ -9,7 +9,7 @@ from math import pi
 
 import numpy as np
 
-from ..mesh import Floats
+from ..arrays import Floats
 from .arena import dot
 from .block import BITS, QUADS, TOLERANCE, HexahedronBlock
 

@@ -12,7 +12,7 @@ from math import inf, sqrt
 
 import numpy as np
 
-from ..mesh import Floats
+from ..arrays import Floats
 from .arena import dot
 from .block import TOLERANCE, HexahedronBlock
 

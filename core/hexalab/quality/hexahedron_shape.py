@@ -9,7 +9,7 @@ from math import inf
 
 import numpy as np
 
-from ..mesh import Floats
+from ..arrays import Floats
 from .arena import dot
 from .block import BITS, TOLERANCE, HexahedronBlock
 from .hexahedron import HUGE, overflow

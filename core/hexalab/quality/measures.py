@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import Array, Floats
+from ..arrays import Array, Floats
 from .metrics import METRICS, Metric
 
 PERCENTILES = (1, 5, 25, 75, 95, 99)

@@ -9,7 +9,8 @@ from typing import Literal
 
 import numpy as np
 
-from ..mesh import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE, Array, Floats
+from ..arrays import Array, Floats
+from ..cells import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
 from .normalisation import (
     BETWEEN_EXTREMES,
     DOWN_TO_ONE,

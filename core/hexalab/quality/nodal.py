@@ -9,7 +9,7 @@ from math import inf
 
 import numpy as np
 
-from ..mesh import Floats
+from ..arrays import Floats
 from .block import TOLERANCE, HexahedronBlock
 from .hexahedron import HUGE, overflow
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from ..mesh import Floats
+from ..arrays import Floats
 
 Map = Callable[[Floats, float, float], Floats]
 

@@ -10,7 +10,8 @@ from math import inf, sqrt
 
 import numpy as np
 
-from ..mesh import PYRAMID, TETRAHEDRON, WEDGE, Floats
+from ..arrays import Floats
+from ..cells import PYRAMID, TETRAHEDRON, WEDGE
 from .block import TOLERANCE
 from .cells import CellBlock, cross, determinant, times
 from .face_angles import polygon_skew

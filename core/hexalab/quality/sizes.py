@@ -6,7 +6,9 @@ from math import inf
 
 import numpy as np
 
-from ..mesh import HEXAHEDRON, TETRAHEDRON, Floats, Mesh
+from ..arrays import Floats
+from ..cells import HEXAHEDRON, TETRAHEDRON
+from ..mesh import Mesh
 from .block import TOLERANCE
 from .hexahedron import HUGE
 

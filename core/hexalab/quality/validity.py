@@ -16,7 +16,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import CORNERS_OF_KIND, EDGES, HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE, Array, Floats, Mesh
+from ..arrays import Array, Floats
+from ..cells import CORNERS_OF_KIND, EDGES, HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
+from ..mesh import Mesh
 from . import exact, other_kinds
 from .arena import BLOCK
 from .bezier import BezierBlock, octants

@@ -7,9 +7,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..attributes import average_corners
+from ..cells import CORNERS_OF_KIND, KINDS
 from ..diagnosis import Finding
-from ..mesh import CORNERS_OF_KIND, KINDS, Array, Mesh
+from ..mesh import Mesh
 from ..quality import METRICS, certify, quality_many
 from .opened import Opened
 

@@ -9,11 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..arrays import Floats
 from ..attributes import Attribute, attributes, cell_values, finite_range
 from ..diagnosis import Finding, diagnose
 from ..errors import HexaLabError
 from ..filters.stack import FilterStack
-from ..mesh import Floats, Mesh
+from ..mesh import Mesh
 from ..quality import METRICS, Validity, certify, quality, statistics
 from ..status import OpenMesh
 from ..summary import STRUCTURE

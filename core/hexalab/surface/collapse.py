@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import FACES, Ids
+from ..arrays import Ids
+from ..cells import FACES
 
 Places = NDArray[np.uint8]
 Pattern = tuple[int, ...]

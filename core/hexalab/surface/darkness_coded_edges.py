@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import Ids
+from ..arrays import Ids
 from .buffers import Bytes, Surface
 from .drawing import Drawing
 from .edges import Indices, one_of_each, quad_sides

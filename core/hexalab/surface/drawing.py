@@ -6,7 +6,8 @@ from functools import cached_property
 
 import numpy as np
 
-from ..mesh import Array, Floats, Ids, Mesh
+from ..arrays import Array, Floats, Ids
+from ..mesh import Mesh
 from ..topology import Topology
 from .buffers import Floats32
 from .collapse import first_places

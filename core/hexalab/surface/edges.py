@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import Ids
+from ..arrays import Ids
 
 Indices = NDArray[np.intp]
 

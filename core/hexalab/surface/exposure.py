@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import CHUNK, Array, Ids
+from ..arrays import CHUNK, Array, Ids
 from .buffers import Bytes, Floats32
 from .drawing import Drawing
 

@@ -12,7 +12,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import FACES, Ids
+from ..arrays import Ids
+from ..cells import FACES
 from ..topology import Topology
 from .edges import Indices
 

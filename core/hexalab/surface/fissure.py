@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import FACES
+from ..cells import FACES
 from .buffers import Floats32, Surface
 from .collapse import first_places
 from .drawing import Drawing

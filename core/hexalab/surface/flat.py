@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import Array
+from ..arrays import Array
 from .buffers import Bytes, Floats32, Int16s, Surface
 from .drawing import Drawing
 from .normals import pack, quad_normals

@@ -7,7 +7,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import EDGES, FACES, Array, Ids
+from ..arrays import Array, Ids
+from ..cells import EDGES, FACES
 from .buffers import Bytes, Irregular
 from .drawing import Drawing
 from .edges import Indices

@@ -25,7 +25,7 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import Array
+from ..arrays import Array
 from .collapse import Pattern, polygons
 
 EDGE = 1 - 2**0.5 / 2

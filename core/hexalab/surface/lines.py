@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import Array, Ids
+from ..arrays import Array, Ids
 from ..topology import Interface
 from .buffers import Bytes, Floats32, Surface
 from .drawing import Drawing

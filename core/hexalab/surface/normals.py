@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import Array
+from ..arrays import Array
 from .buffers import Floats32, Int16s
 
 FLAT = np.float32(1e-13)

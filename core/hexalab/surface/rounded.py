@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import FACES
+from ..cells import FACES
 from .buffers import Bytes, Floats32, Int16s, Surface, UInt32s
 from .collapse import by_pattern, polygons
 from .drawing import Drawing

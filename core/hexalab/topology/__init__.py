@@ -11,7 +11,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import FACES, Array, Ids
+from ..arrays import Array, Ids
+from ..cells import FACES
 from .edges import FACE_EDGES, Edges, cells_around, find_edges, repeating_cells
 from .faces import Faces, find_faces
 from .hops import components, depth
@@ -148,6 +149,8 @@ class Topology:
     def neighbours_of(self, cells: Array) -> Ids:
         """Cells across the six faces, (6, N) int32, of N cells; -1 outside and where a face has vanished."""
         rows = self.cell_faces[:, cells]
+        if not self.face_count:  # every cell has collapsed to less than a face
+            return np.full(rows.shape, -1, dtype=np.int32)
         left, right = self.face_cells[0][rows], self.face_cells[1][rows]
         across = np.where(left == cells, right, left)
         across[rows < 0] = -1

@@ -13,7 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import CHUNK, EDGES, Array, Ids
+from ..arrays import CHUNK, Array, Ids
+from ..cells import EDGES
 
 FACE_EDGES = ((0, 1, 2, 3), (4, 5, 6, 7), (0, 4, 8, 9), (1, 5, 9, 10), (2, 6, 10, 11), (3, 7, 11, 8))
 """The edges of each of the six faces, as indices into `EDGES`."""

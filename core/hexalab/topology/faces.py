@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import Array, Ids
+from ..arrays import Array, Ids
 from .keys import face_keys
 from .matching import SINGLE, Pairing, match, unfold
 

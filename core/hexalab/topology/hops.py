@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..mesh import Array, Ids
+from ..arrays import Array, Ids
 from .faces import Faces
 
 UNREACHED = -1

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import Ids
+from ..arrays import Ids
 from .faces import Faces
 
 SMALL_CHANGE = 24

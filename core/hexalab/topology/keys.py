@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mesh import Ids
+from ..arrays import Ids
 
 Int64s = NDArray[np.int64]
 Slots = NDArray[np.intp]

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..mesh import Array, Ids
+from ..arrays import Array, Ids
 from .keys import SLOTS_PER_VERTEX, FaceKeys, Slots
 
 SINGLE, VANISHED = -1, -2

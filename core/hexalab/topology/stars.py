@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..mesh import Array, Ids
+from ..arrays import Array, Ids
 
 LAYERS = 16
 """In a grid eight layers hold all; after so many the rest is sorted: vertices of very many cells."""

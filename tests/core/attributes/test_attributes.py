@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from hexalab.attributes import attributes, cell_values, described, finite_range
+from hexalab.cells import COLLAPSE, CORNERS_OF_KIND, KINDS
 from hexalab.errors import HexaLabError
-from hexalab.mesh import COLLAPSE, CORNERS_OF_KIND, KINDS, Mesh
+from hexalab.mesh import Mesh
 
 
 def every_kind() -> Mesh:

@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from hexalab.cells import COLLAPSE, CORNERS_OF_KIND, HEXAHEDRON, KINDS, PYRAMID, TETRAHEDRON, WEDGE
 from hexalab.diagnosis import Finding, diagnose, turn_round
 from hexalab.diagnosis.coincidence import coincident_vertices
 from hexalab.diagnosis.orientation import MIRROR, NODES, signs
-from hexalab.mesh import COLLAPSE, CORNERS_OF_KIND, HEXAHEDRON, KINDS, PYRAMID, TETRAHEDRON, WEDGE, Mesh
+from hexalab.mesh import Mesh
 from tests.core.filters.boxes import box
 
 POINTS_OF_KIND = (

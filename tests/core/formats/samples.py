@@ -6,7 +6,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from hexalab.mesh import CORNERS_OF_KIND, KINDS, Mesh
+from hexalab.cells import CORNERS_OF_KIND, KINDS
+from hexalab.mesh import Mesh
 
 HEXAHEDRON, WEDGE, PYRAMID, TETRAHEDRON = range(4)
 VTK_TYPES = (12, 13, 14, 10)
@@ -158,7 +159,7 @@ def check_data(mesh: Mesh, sample: Sample) -> None:
 
 def signed_volumes(mesh: Mesh) -> np.ndarray:
     """(C,) volume of each cell from its outward faces: the divergence theorem over fans of triangles."""
-    from hexalab.mesh import FACES
+    from hexalab.cells import FACES
 
     total = np.zeros(mesh.cell_count)
     for a, b, c, d in FACES:

@@ -9,8 +9,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from hexalab.cells import COLLAPSE, CORNERS_OF_KIND
 from hexalab.formats import read_bytes, write_bytes
-from hexalab.mesh import COLLAPSE, CORNERS_OF_KIND, Mesh
+from hexalab.mesh import Mesh
 from tests.core.formats.samples import grid
 from tests.core.formats.test_medit import text_of
 

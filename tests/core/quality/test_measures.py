@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from hexalab.mesh import HEXAHEDRON, TETRAHEDRON
+from hexalab.cells import HEXAHEDRON, TETRAHEDRON
 from hexalab.quality import histogram, statistics
 
 INF = float("inf")

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from hexalab.mesh import HEXAHEDRON, KINDS, PYRAMID, TETRAHEDRON, WEDGE, Mesh
+from hexalab.cells import HEXAHEDRON, KINDS, PYRAMID, TETRAHEDRON, WEDGE
+from hexalab.mesh import Mesh
 from hexalab.quality import METRICS, quality, quality_many
 from tests.core.quality.verdict import CUBE, IDEAL, assert_equal, mesh_of, of_corners, samples
 

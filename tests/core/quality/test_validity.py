@@ -8,7 +8,8 @@ from itertools import product
 import numpy as np
 import pytest
 
-from hexalab.mesh import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE, Mesh
+from hexalab.cells import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
+from hexalab.mesh import Mesh
 from hexalab.quality import certify, quality
 from hexalab.quality.validity import INVALID, UNDECIDED, VALID
 from tests.core.quality.verdict import CUBE, IDEAL, mesh_of, samples

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from hexalab.mesh import COLLAPSE, HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE, Mesh
+from hexalab.cells import COLLAPSE, HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
+from hexalab.mesh import Mesh
 
 NAMES = {
     "diagonal": "Diagonal",

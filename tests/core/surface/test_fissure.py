@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from hexalab.mesh import FACES, Mesh
+from hexalab.cells import FACES
+from hexalab.mesh import Mesh
 from hexalab.surface import Drawing, extract_surface
 from tests.core.surface.checks import points_of, rings_of
 from tests.core.surface.shapes import KINDS, grid, random_mask, split_grid, unit_cube

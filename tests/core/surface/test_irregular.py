@@ -7,7 +7,8 @@ from collections import Counter
 import numpy as np
 import pytest
 
-from hexalab.mesh import FACES, Mesh
+from hexalab.cells import FACES
+from hexalab.mesh import Mesh
 from hexalab.surface import Drawing, extract_irregular
 from tests.core.surface.shapes import KINDS, grid, mesh_of, split_grid, three_around_an_edge
 from tests.core.topology.brute_force import BruteForce

@@ -10,8 +10,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from hexalab.cells import EDGES
 from hexalab.formats import read
-from hexalab.mesh import EDGES
 from hexalab.surface import MODES, Drawing, extract_irregular, extract_silhouette, extract_surface
 from tests.core.surface.checks import check_closed, check_form
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from hexalab.mesh import EDGES, FACES
+from hexalab.cells import EDGES, FACES
 from hexalab.topology import Topology
 from tests.core.topology.brute_force import BruteForce
 

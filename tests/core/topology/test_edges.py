@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from numpy.typing import NDArray
 
-from hexalab.mesh import FACES
+from hexalab.cells import FACES
 from tests.core.topology.checks import check_edges, check_walks, topology
 from tests.core.topology.grids import grid_cells
 from tests.core.topology.strategies import meshes
