@@ -58,7 +58,7 @@ node_modules/.ready: package.json package-lock.json
 	npm ci --no-audit --no-fund --loglevel=error
 	touch $@
 
-build/.prepared: .venv/.ready tests/prepare site_builder/browser.py
+build/.prepared: .venv/.ready tests/prepare core/hexalab/hosts/browser.py
 	mkdir -p build
 	tests/prepare $(BIN)/python
 	touch $@

@@ -12,7 +12,7 @@ from typing import Any
 
 from playwright.sync_api import Page, ViewportSize
 
-from site_builder.browser import browser
+from hexalab.hosts.browser import browser
 
 SITE = Path("build/site")
 WINDOW: ViewportSize = {"width": 1280, "height": 800}

@@ -15,8 +15,8 @@ from pathlib import Path
 
 from PIL import Image
 
+from hexalab.hosts.rendering import Renderer
 from hexalab.picture import read_settings
-from site_builder.rendering import Renderer
 
 from .page import SITE
 

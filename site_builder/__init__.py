@@ -2,14 +2,12 @@
 
 >>> from pathlib import Path
 >>> report = build(Path("repository"), Path("build/site"))      # doctest: +SKIP
->>> serve(Path("build/site"), 8000)                              # doctest: +SKIP
 """
 
-from .bibtex import BibtexError
 from .build import BuildError, BuildReport, build
-from .scaffold import ScaffoldError, new_source
-from .serving import serve
-from .validation import ValidationReport, validate
+from .citing.bibtex import BibtexError
+from .contributing.scaffold import ScaffoldError, new_source
+from .contributing.validation import ValidationReport, validate
 
 __all__ = [
     "BibtexError",
@@ -19,6 +17,5 @@ __all__ = [
     "ValidationReport",
     "build",
     "new_source",
-    "serve",
     "validate",
 ]

@@ -11,18 +11,19 @@ from urllib.parse import unquote
 
 from hexalab import HexaLabError
 
-from . import indexes
-from .exports import bibtex, csl_json, ris
-from .making import MakingError, make
-from .measuring import Measurer
-from .model import Catalogue, MeshEntry, Problem
+from .citing.exports import bibtex, csl_json, ris
+from .measuring.making import MakingError, make
+from .measuring.measurer import Measurer
+from .model.catalogue import Catalogue, Problem
+from .model.problems import disagreements, problem_of
 from .output import Output
-from .pages import LOCAL, Pages
+from .pages import indexes
+from .pages.pages import LOCAL, Pages
+from .pages.words import file_size
 from .pictures import Album, png_size, take_missing
 from .pictures.collection import Collection
-from .repository import read_repository
-from .thumbnails import Thumbnails
-from .words import file_size
+from .pictures.thumbnails import Thumbnails
+from .reading.repository import read_repository
 
 ROOT = Path(__file__).resolve().parent.parent
 STATIC = ROOT / "static"
@@ -201,28 +202,6 @@ def _add_meshes(
     return previews
 
 
-def problem_of(mesh: MeshEntry, message: str, field_name: str = "") -> Problem:
-    """An error in a mesh's row of source.yaml."""
-    file = f"{mesh.source.folder.name}/source.yaml"
-    field_name = field_name or mesh.kind
-    name = f"meshes[{mesh.source.meshes.index(mesh)}].{field_name}"
-    return Problem("error", file, mesh.lines.get(field_name, mesh.line), name, message)
-
-
-def disagreements(mesh: MeshEntry) -> list[Problem]:
-    """Where source.yaml says something else than the file."""
-    found = []
-    if mesh.declared_cells is not None and mesh.declared_cells != mesh.facts.cells:
-        found.append(
-            problem_of(mesh, f"{mesh.declared_cells:,} here, {mesh.facts.cells:,} in the file", "cells")
-        )
-    if mesh.declared_sha256 is not None and mesh.declared_sha256 != mesh.facts.sha256:
-        found.append(
-            problem_of(mesh, f"{mesh.declared_sha256} here, the file's is {mesh.facts.sha256}", "sha256")
-        )
-    return found
-
-
 def _add_pictures(catalogue: Catalogue, output: Output, thumbnails: Thumbnails) -> set[str]:
     pictures = set()
     for mesh in catalogue.meshes:
@@ -277,7 +256,7 @@ def _add_viewer(pages: Pages, output: Output, extras: dict[str, str]) -> None:
     except (ImportError, RuntimeError, OSError) as error:
         message = f"the viewer can't be put together: {error}; `make build` installs what it needs"
         raise BuildError([Problem("error", "site_builder/runtime", 0, "", message)]) from error
-    from .viewer_tables import viewer_tables
+    from .pages.viewer_tables import viewer_tables
 
     html = pages.viewer(
         script="../" + report.scripts["main"],

@@ -49,7 +49,7 @@ def expected(meshes: Path) -> dict[str, Any]:
 @pytest.fixture(scope="session")
 def chromium() -> Iterator[Browser]:
     """The one Chromium of all tests: Playwright runs but once in a thread."""
-    from site_builder.browser import browser
+    from hexalab.hosts.browser import browser
 
     with browser() as running:
         yield running

@@ -6,7 +6,7 @@ import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from ..model import Catalogue, MeshEntry
+from ..model.catalogue import Catalogue, MeshEntry
 from .gallery import SECTIONS
 from .guide import FIGURES
 from .recipe import Recipe

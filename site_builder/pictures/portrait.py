@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..facts import Facts
+from ..model.facts import Facts
 from .shot import Status
 from .views import along, cut, three_quarter_view
 

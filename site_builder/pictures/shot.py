@@ -11,7 +11,7 @@ from typing import Any
 
 from hexalab.status import VERSION
 
-from ..model import MeshEntry
+from ..model.catalogue import MeshEntry
 
 WIDTH, HEIGHT = 720, 480
 """Pixels: twice what a card shows."""

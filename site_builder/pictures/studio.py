@@ -7,9 +7,9 @@ from pathlib import Path
 
 from playwright.sync_api import Error as PlaywrightError
 
+from hexalab.hosts.rendering import Renderer, RenderError
 from hexalab.status import DEFAULTS, merge
 
-from ..rendering import Renderer, RenderError
 from .album import Album
 from .shot import Shot
 

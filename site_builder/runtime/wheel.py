@@ -9,7 +9,7 @@ import zipfile
 from pathlib import Path
 
 EPOCH = (1980, 1, 1, 0, 0, 0)
-LEFT_OUT = ("cli", "__pycache__")
+LEFT_OUT = ("cli", "hosts", "__pycache__")
 """Folders of the core that a browser has no use for."""
 
 

@@ -18,8 +18,8 @@ from playwright.sync_api import Page
 
 from benchmarks.modes import LIGHTS
 from benchmarks.page import viewer
+from hexalab.hosts.rendering import PICTURE
 from hexalab.surface import MODES
-from site_builder.rendering import PICTURE
 
 FOLDER = Path(__file__).parent / "pictures"
 MESH = Path(__file__).resolve().parents[2] / "repository" / "structures" / "tunnels.mesh"

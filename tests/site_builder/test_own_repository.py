@@ -10,8 +10,8 @@ from urllib.parse import quote, unquote
 
 import pytest
 
-from site_builder.citations import STYLES, citation
-from site_builder.repository import read_repository
+from site_builder.citing.citations import STYLES, citation
+from site_builder.reading.repository import read_repository
 
 ROOT = Path(__file__).resolve().parents[2]
 REPOSITORY = ROOT / "repository"
@@ -73,7 +73,7 @@ def test_C5_our_meshes_are_what_their_scripts_make():
 
 
 def test_C5_there_is_a_mesh_for_each_fault(catalogue):
-    from site_builder.measuring import measure
+    from site_builder.measuring.measurer import measure
 
     wanted = {
         "negative-volume": "negative volume",
@@ -95,7 +95,7 @@ def test_C5_there_is_a_mesh_for_each_fault(catalogue):
 
 def test_C5_shapes_and_structures_are_sound():
     """All but the meshes that show what a hexahedron may collapse to."""
-    from site_builder.measuring import measure
+    from site_builder.measuring.measurer import measure
 
     for source in ("shapes", "structures"):
         for file in sorted((REPOSITORY / source).glob("*.mesh")):
@@ -121,7 +121,7 @@ def test_C5_shapes_and_structures_are_sound():
     ],
 )
 def test_C5_structures_have_the_irregular_edges_they_say(name, valence):
-    from site_builder.measuring import measure
+    from site_builder.measuring.measurer import measure
 
     facts = measure((REPOSITORY / "structures" / f"{name}.mesh").read_bytes(), f"{name}.mesh")
     assert {v: n for v, n in facts.interior_edge_valence.items() if v != 4} == valence

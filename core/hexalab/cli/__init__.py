@@ -11,7 +11,8 @@ import os
 import sys
 from collections.abc import Sequence
 from importlib import import_module
-from typing import NoReturn, TextIO
+from types import ModuleType
+from typing import NamedTuple, NoReturn, TextIO
 
 from ..errors import HexaLabError
 
@@ -20,17 +21,31 @@ MISUSE = 2
 INTERRUPTED = 130
 PIPE_CLOSED = 141
 
+
+class Verb(NamedTuple):
+    """A verb: what it does, the module that does it, and what is to be done where that can't be imported."""
+
+    help: str
+    module: str
+    remedy: str = ""
+
+
+CLONE = "this verb works in a clone of the repository: run `make build` there, or `pip install -e .`"
+BROWSER = "pictures need a browser: `pip install playwright`, then `playwright install chromium`"
+
 VERBS = {
-    "info": "say what is in mesh files",
-    "quality": "measure the quality of a mesh's cells",
-    "convert": "write a mesh in another format",
-    "render": "make a picture of a mesh",
-    "build": "build the site out of the repository",
-    "serve": "serve a built site on this machine",
-    "validate": "check sources for the catalogue and measure their meshes",
-    "new-source": "start a source's folder for the catalogue",
+    "info": Verb("say what is in mesh files", "hexalab.cli.info"),
+    "quality": Verb("measure the quality of a mesh's cells", "hexalab.cli.quality"),
+    "convert": Verb("write a mesh in another format", "hexalab.cli.convert"),
+    "render": Verb("make a picture of a mesh", "hexalab.cli.render", BROWSER),
+    "serve": Verb("serve a built site on this machine", "hexalab.cli.serve"),
+    "build": Verb("build the site out of the repository", "site_builder.cli.build", CLONE),
+    "validate": Verb(
+        "check sources for the catalogue and measure their meshes", "site_builder.cli.validate", CLONE
+    ),
+    "new-source": Verb("start a source's folder for the catalogue", "site_builder.cli.new_source", CLONE),
 }
-"""Verbs and what they do; each is the module of its name (a hyphen read as an underscore)."""
+"""Every verb of the program; its module is imported when it is called."""
 
 
 class Parser(argparse.ArgumentParser):
@@ -78,11 +93,11 @@ def run(argv: Sequence[str]) -> int:
     parser.add_argument("--version", action="store_true", help="print the version and leave")
     verbs = parser.add_subparsers(dest="verb", metavar="VERB", parser_class=Parser)
     wanted = argv[0] if argv and argv[0] in VERBS else None
-    for verb, help_text in VERBS.items():
-        description = help_text[0].upper() + help_text[1:] + "."
-        sub = verbs.add_parser(verb, help=help_text, description=description)
+    for verb, row in VERBS.items():
+        description = row.help[0].upper() + row.help[1:] + "."
+        sub = verbs.add_parser(verb, help=row.help, description=description)
         if verb == wanted:
-            import_module(f"{__name__}.{verb.replace('-', '_')}").configure(sub)
+            module_of(verb).configure(sub)
     arguments = parser.parse_args(argv)
     if arguments.version:
         from .. import __version__
@@ -92,6 +107,23 @@ def run(argv: Sequence[str]) -> int:
     if arguments.verb is None:
         parser.error(f"which verb? One of {', '.join(VERBS)}")
     return int(arguments.run(arguments))
+
+
+def module_of(verb: str) -> ModuleType:
+    """Import the module of a verb.
+
+    Raises
+    ------
+    HexaLabError
+        If a package that it needs is not installed; says which, and what to do.
+    """
+    row = VERBS[verb]
+    try:
+        return import_module(row.module)
+    except ModuleNotFoundError as error:
+        if not row.remedy:
+            raise
+        raise HexaLabError(f"{verb}: the package {error.name} is not installed; {row.remedy}") from None
 
 
 def complain(error: Exception, prefix: str = "hexalab") -> int:

@@ -6,6 +6,7 @@ from argparse import ArgumentParser, ArgumentTypeError, Namespace
 from pathlib import Path
 
 from ..errors import HexaLabError
+from ..hosts.serving import serve
 
 LARGEST_PORT = 65535
 
@@ -34,8 +35,6 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> int:
     """Serve until interrupted."""
-    from site_builder import serve
-
     try:
         serve(arguments.out, arguments.port)
     except OSError as error:

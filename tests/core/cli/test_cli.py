@@ -269,7 +269,7 @@ def test_A2_help_for_every_verb(run: Run, verb: str) -> None:
     code, out, err = run(verb, "--help")
     assert (code, err) == (0, "")
     assert out.startswith(f"usage: hexalab {verb}")
-    assert cli.VERBS[verb] in run("--help")[1]
+    assert cli.VERBS[verb].help in run("--help")[1]
 
 
 def test_A2_version(run: Run) -> None:

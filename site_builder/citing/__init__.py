@@ -1,0 +1,1 @@
+"""Citations: read from BibTeX, put into words, written for other programs."""

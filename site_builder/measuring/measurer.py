@@ -1,0 +1,120 @@
+"""Measuring meshes with the core, once: facts are kept by the file's SHA-256 and the core that measured them."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import hexalab
+from hexalab.diagnosis import turn_round
+from hexalab.formats import read_bytes
+from hexalab.quality import histogram, quality
+from hexalab.quality.validity import certify
+from hexalab.session import Session
+from hexalab.summary import summarise
+
+from ..model.facts import Facts
+
+BINS = 60
+"""Bins of the Scaled Jacobian's histogram."""
+
+
+class Measurer:
+    """Gives the facts and the preview of mesh files, and remembers both.
+
+    Parameters
+    ----------
+    cache : Path
+        Folder of what is remembered.
+    """
+
+    def __init__(self, cache: Path) -> None:
+        self._cache = cache
+        self._version = core_version()
+        self.measured = 0
+
+    def facts(self, file: Path) -> Facts:
+        """Measure a mesh file, or remember it.
+
+        Raises
+        ------
+        hexalab.MeshReadError
+            The file isn't a mesh that can be read.
+        """
+        data = file.read_bytes()
+        kept = self._kept(hashlib.sha256(data).hexdigest(), "facts.json")
+        if kept.exists():
+            return Facts.from_dict(json.loads(kept.read_text("utf-8")))
+        facts = measure(data, file.name)
+        kept.parent.mkdir(parents=True, exist_ok=True)
+        kept.write_text(json.dumps(facts.to_dict(), allow_nan=False), "utf-8")
+        self.measured += 1
+        return facts
+
+    def preview(self, file: Path, facts: Facts) -> bytes:
+        """What the viewer draws of a mesh before Python has started: its surface under the default status."""
+        kept = self._kept(str(facts.sha256), "preview")
+        if not kept.exists():
+            session = Session()
+            session.open(file.name, file.read_bytes())
+            kept.parent.mkdir(parents=True, exist_ok=True)
+            kept.write_bytes(session.preview({}))
+        return kept.read_bytes()
+
+    def _kept(self, sha256: str, what: str) -> Path:
+        return self._cache / what.split(".")[0] / f"{sha256[:32]}-{self._version}.{what}"
+
+
+def measure(data: bytes, name: str) -> Facts:
+    """The facts of a mesh file's bytes."""
+    mesh = turn_round(read_bytes(data, name))
+    summary = summarise(mesh)
+    jacobian = quality(mesh, "scaled_jacobian")
+    finite = jacobian[np.isfinite(jacobian)]
+    jacobians = summary["quality"]["scaled_jacobian"]
+    return Facts(
+        bytes=len(data),
+        sha256=hashlib.sha256(data).hexdigest(),
+        sj_min=jacobians["min"],
+        sj_mean=jacobians["mean"],
+        sj_max=jacobians["max"],
+        sj_not_positive=int(np.count_nonzero(finite <= 0)),
+        sj_not_finite=jacobians["not_finite"],
+        extent=[[float(number) for number in corner] for corner in mesh.extent],
+        validity=_validity(mesh),
+        histogram=_histogram(finite),
+        notes=list(mesh.notes),
+        **{key: _valences(key, value) for key, value in summary.items() if key not in ("file",)},
+    )
+
+
+def _valences(key: str, value: Any) -> Any:
+    return {int(v): n for v, n in value.items()} if key.endswith("_edge_valence") else value
+
+
+def _validity(mesh: hexalab.Mesh) -> dict[str, int]:
+    counts = np.bincount(certify(mesh).state, minlength=3)
+    return {word: int(count) for word, count in zip(("invalid", "valid", "undecided"), counts, strict=True)}
+
+
+def _histogram(values: Any) -> dict[str, Any] | None:
+    if not len(values):
+        return None
+    low = 0.0 if values.min() >= 0 else -1.0
+    _, counts = histogram(values, low, 1.0, BINS)
+    return {"low": low, "high": 1.0, "counts": [int(count) for count in counts]}
+
+
+def core_version() -> str:
+    """A hash of the core's source: facts that another core measured are measured again."""
+    root = Path(hexalab.__file__).parent
+    digest = hashlib.sha256(np.__version__.encode())
+    for file in sorted(root.rglob("*.py")):
+        if not {"cli", "hosts"} & set(file.relative_to(root).parts):
+            digest.update(file.relative_to(root).as_posix().encode() + b"\0" + file.read_bytes())
+    digest.update(Path(__file__).read_bytes())
+    return digest.hexdigest()[:16]

@@ -1,0 +1,1 @@
+"""What the catalogue is made of: sources, meshes, their facts, what they are called, and what is wrong with them."""

@@ -1,0 +1,1 @@
+"""From a catalogue to HTML and to indexes for machines."""

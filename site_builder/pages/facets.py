@@ -1,0 +1,125 @@
+"""What the search can filter by: one table of facets, for the page made at build and for the script that takes over."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from ..model.catalogue import MeshEntry
+from .words import short_verdict
+
+
+@dataclass(frozen=True)
+class Facet:
+    """One row of chips.
+
+    Parameters
+    ----------
+    options : tuple of (id, label)
+    choose : callable
+        Gives the index of a mesh's option.
+    """
+
+    id: str
+    label: str
+    options: tuple[tuple[str, str], ...]
+    choose: Callable[[MeshEntry], int]
+
+
+def _first(tests: list[bool]) -> int:
+    return next((index for index, holds in enumerate(tests) if holds), len(tests))
+
+
+def _origin(mesh: MeshEntry) -> int:
+    return 0 if mesh.source.own else 1
+
+
+def _cells(mesh: MeshEntry) -> int:
+    cells = mesh.cells
+    return 4 if cells is None else _first([cells < 1_000, cells < 10_000, cells < 100_000])
+
+
+def _jacobian(mesh: MeshEntry) -> int:
+    low = mesh.facts.sj_min
+    return 4 if low is None else _first([low > 0.5, low > 0.2, low > 0])
+
+
+def _validity(mesh: MeshEntry) -> int:
+    return ["good", "positive", "invalid", "warning", ""].index(short_verdict(mesh.facts)[0])
+
+
+def _structure(mesh: MeshEntry) -> int:
+    irregular = mesh.facts.irregular_edges
+    return 2 if irregular is None else 1 if irregular else 0
+
+
+def _year(mesh: MeshEntry) -> int:
+    year = mesh.source.year
+    return _first([year <= 2015, year <= 2018, year <= 2021])
+
+
+FACETS = (
+    Facet("origin", "Origin", (("own", "our own"), ("published", "published")), _origin),
+    Facet(
+        "cells",
+        "Cells",
+        (
+            ("s", "under 1,000"),
+            ("m", "to 10,000"),
+            ("l", "to 100,000"),
+            ("xl", "more"),
+            ("unknown", "not known"),
+        ),
+        _cells,
+    ),
+    Facet(
+        "jacobian",
+        "Minimum Scaled Jacobian",
+        (
+            ("high", "over 0.5"),
+            ("middle", "0.2 to 0.5"),
+            ("low", "0 to 0.2"),
+            ("negative", "0 or less"),
+            ("unknown", "not known"),
+        ),
+        _jacobian,
+    ),
+    Facet(
+        "validity",
+        "Validity",
+        (
+            ("valid", "certified valid"),
+            ("positive", "SJ positive"),
+            ("invalid", "invalid"),
+            ("undecided", "undecided"),
+            ("unknown", "not known"),
+        ),
+        _validity,
+    ),
+    Facet(
+        "structure",
+        "Interior edges",
+        (("regular", "all regular"), ("irregular", "some irregular"), ("unknown", "not known")),
+        _structure,
+    ),
+    Facet(
+        "year",
+        "Year",
+        (("2015", "to 2015"), ("2018", "2016–18"), ("2021", "2019–21"), ("now", "since 2022")),
+        _year,
+    ),
+)
+
+
+def codes(mesh: MeshEntry) -> str:
+    """A mesh's option in each facet, a digit each."""
+    return "".join(str(facet.choose(mesh)) for facet in FACETS)
+
+
+def counts(meshes: list[MeshEntry]) -> list[list[int]]:
+    """Number of meshes by facet and option."""
+    table = [[0] * len(facet.options) for facet in FACETS]
+    for mesh in meshes:
+        for row, code in zip(table, codes(mesh), strict=True):
+            row[int(code)] += 1
+    return table

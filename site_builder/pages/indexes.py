@@ -1,0 +1,182 @@
+"""The site's indexes for machines: catalogue, search, the original's form, sitemap."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+from xml.sax.saxutils import escape
+
+from ..model.catalogue import Catalogue, MeshEntry, Source
+from .facets import FACETS, codes
+from .metadata import LICENCES
+
+INDEX_VERSION = 1
+"""Of the form of index.json and search.json: raised when a field changes its meaning or goes."""
+
+
+def dump(data: Any) -> str:
+    """JSON in few bytes, always the same."""
+    return json.dumps(data, ensure_ascii=False, separators=(",", ":"), allow_nan=False) + "\n"
+
+
+def catalogue_json(catalogue: Catalogue, previews: set[str]) -> str:
+    """What the viewer needs to know: sources, meshes, addresses."""
+    return dump({"sources": [_for_viewer(source, previews) for source in catalogue.sources]})
+
+
+def _for_viewer(source: Source, previews: set[str]) -> dict[str, Any]:
+    return {
+        "slug": source.slug,
+        "title": source.title,
+        "authors": source.authors,
+        "year": source.year,
+        "venue": source.venue,
+        "doi": source.doi,
+        "pdf": source.pdf,
+        "web": source.web or source.reference.get("URL", ""),
+        "licence": source.licence,
+        "meshes": [_row_for_viewer(mesh, previews) for mesh in source.meshes],
+    }
+
+
+def _row_for_viewer(mesh: MeshEntry, previews: set[str]) -> dict[str, Any]:
+    row = {
+        "slug": mesh.slug,
+        "name": mesh.name,
+        "cells": mesh.cells,
+        "url": mesh.file_address,
+        "remote": bool(mesh.remote),
+        "bytes": mesh.facts.bytes,
+        "sha256": mesh.sha256,
+    }
+    if mesh.preview_address in previews:
+        row["preview"] = mesh.preview_address
+    return row
+
+
+def index_json(catalogue: Catalogue) -> str:
+    """The whole catalogue with all that is known of each mesh."""
+    return dump(
+        {
+            "version": INDEX_VERSION,
+            "name": catalogue.title,
+            "description": catalogue.description,
+            "url": catalogue.address,
+            "sources": [
+                {
+                    "slug": source.slug,
+                    "page": source.page,
+                    "reference": source.reference,
+                    "licence": source.licence,
+                    "licence_url": LICENCES.get(source.licence),
+                    "pdf": source.pdf or None,
+                    "web": source.web or None,
+                    "description": source.description or None,
+                    "meshes": [_full_row(mesh) for mesh in source.meshes],
+                }
+                for source in catalogue.sources
+            ],
+        }
+    )
+
+
+def _full_row(mesh: MeshEntry) -> dict[str, Any]:
+    return {
+        "slug": mesh.slug,
+        "name": mesh.name,
+        "description": mesh.description or None,
+        "page": mesh.page,
+        "url": mesh.file_address,
+        "remote": bool(mesh.remote),
+        "format": mesh.format,
+        "cells": mesh.cells,
+        "sha256": mesh.sha256,
+        "facts": {
+            key: value for key, value in mesh.facts.to_dict().items() if key not in ("sha256", "format")
+        },
+    }
+
+
+def search_json(catalogue: Catalogue, pictures: set[str]) -> str:
+    """The small index that the search in the browser reads."""
+    numbers = {id(source): index for index, source in enumerate(catalogue.sources)}
+    return dump(
+        {
+            "version": INDEX_VERSION,
+            "facets": [
+                {"id": facet.id, "options": [option for option, _ in facet.options]} for facet in FACETS
+            ],
+            "sources": [
+                [
+                    source.slug,
+                    source.title,
+                    ", ".join(source.authors),
+                    source.year,
+                    source.venue,
+                    source.doi,
+                    source.short,
+                ]
+                for source in catalogue.sources
+            ],
+            "meshes": [
+                [
+                    numbers[id(mesh.source)],
+                    mesh.slug,
+                    mesh.name,
+                    mesh.cells,
+                    *(_short(value) for value in (mesh.facts.sj_min, mesh.facts.sj_mean, mesh.facts.sj_max)),
+                    mesh.facts.irregular_edges,
+                    1 if mesh.picture_address in pictures else 0,
+                    codes(mesh),
+                    mesh.description,
+                ]
+                for mesh in catalogue.meshes
+            ],
+        }
+    )
+
+
+def _short(value: float | None) -> float | None:
+    return None if value is None else float(f"{value:.4g}")
+
+
+def original_index(catalogue: Catalogue) -> str:
+    """`datasets/index.json` in the form of the original HexaLab, for tools that read it.
+
+    A published source keeps the path it has there; one of ours points to its files in this site, relative to
+    `datasets/` as the form wants. `urls` is ours: the address of each file, below the site's root or absolute.
+    """
+    return (
+        json.dumps({"sources": [_original(s) for s in catalogue.sources]}, ensure_ascii=False, indent=1)
+        + "\n"
+    )
+
+
+def _original(source: Source) -> dict[str, Any]:
+    row: dict[str, Any] = {
+        "paper": {
+            "title": source.title,
+            "venue": source.venue,
+            "authors": ", ".join(source.authors),
+            "year": str(source.year),
+            "PDF": source.pdf,
+            "web": source.web or source.reference.get("URL", ""),
+            "DOI": source.doi,
+        },
+        "path": source.index_path or f"../meshes/{source.slug}",
+        "label": f"{source.year} - {source.title}",
+        "data": [mesh.path for mesh in source.meshes],
+        "urls": [mesh.file_address for mesh in source.meshes],
+    }
+    if all(mesh.cells is not None for mesh in source.meshes):
+        row["datasize"] = [mesh.cells for mesh in source.meshes]
+    return row
+
+
+def sitemap(catalogue: Catalogue, pages: list[str]) -> str:
+    """The addresses of all pages."""
+    rows = "".join(f"<url><loc>{escape(catalogue.address + page)}</loc></url>\n" for page in pages)
+    return (
+        '<?xml version="1.0" encoding="UTF-8"?>\n'
+        f'<urlset xmlns="http://www.sitemaps.org/schemas/sitemap/0.9">\n{rows}</urlset>\n'
+    )

@@ -1,0 +1,241 @@
+"""The pages: templates filled with what the catalogue knows. Everything from YAML is escaped by Jinja."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from markupsafe import Markup
+
+from hexalab.quality import METRICS
+
+from ..citing.citations import STYLES, citation, plain
+from ..citing.exports import bibtex
+from ..model.catalogue import Catalogue, MeshEntry, Source
+from ..pictures.collection import Collection
+from . import metadata, words
+from .facets import FACETS, counts
+from .histogram import draw
+from .indexes import INDEX_VERSION
+from .picture_pages import gallery_values, guide_values
+
+FIRST = 24
+"""Cards that the front page shows before anybody searches."""
+
+LOCAL = ("http://localhost", "http://127.0.0.1")
+
+
+class Pages:
+    """Renders every page of the catalogue.
+
+    Parameters
+    ----------
+    catalogue : Catalogue
+    pictures : set of str
+        Addresses of the thumbnails that the site has.
+    extras : dict
+        What all pages may link to if it is there: ``manifest``.
+    collection : Collection
+        What gallery and guide show.
+    figures : dict of str to (int, int)
+        Widths and heights of those of its pictures that the site has, by address.
+    """
+
+    def __init__(
+        self,
+        catalogue: Catalogue,
+        pictures: set[str],
+        extras: dict[str, str] | None = None,
+        collection: Collection | None = None,
+        figures: dict[str, tuple[int, int]] | None = None,
+    ) -> None:
+        self._catalogue = catalogue
+        self._pictures = pictures
+        self._collection = collection or Collection(catalogue)
+        self._citations: dict[str, dict[str, Markup]] = {}
+        self._environment = Environment(
+            loader=FileSystemLoader(Path(__file__).parent / "templates"),
+            autoescape=True,
+            undefined=StrictUndefined,
+            trim_blocks=True,
+            lstrip_blocks=True,
+            keep_trailing_newline=True,
+        )
+        self._environment.filters.update(
+            count=words.count, number=words.number, file_size=words.file_size, dictsort=sorted_items
+        )
+        self._environment.globals.update(
+            catalogue=catalogue,
+            published=not catalogue.address.startswith(LOCAL),
+            manifest=(extras or {}).get("manifest", ""),
+            picture=lambda mesh: mesh.picture_address in pictures,
+            size=lambda figure: (figures or {}).get(figure.address),
+            short_verdict=words.short_verdict,
+            verdict=words.verdict,
+            structure_line=words.structure_line,
+            kinds=words.kinds,
+            citations=self.citations,
+            bibtex=lambda source: bibtex([source.reference]),
+            licence_address=lambda licence: metadata.LICENCES[licence],
+            format_name=metadata.format_name,
+            og_picture=next(
+                (m.picture_address for m in catalogue.meshes if m.picture_address in pictures), ""
+            ),
+            json_ld=None,
+        )
+
+    def all(self) -> Iterator[tuple[str, str]]:
+        """Every page: its folder below the site's root, ending in a slash or empty, and its HTML."""
+        yield "", self.front()
+        yield "gallery/", self.gallery()
+        yield "guide/", self.guide()
+        yield "about/", self.about()
+        for source in self._catalogue.sources:
+            yield source.page, self.source(source)
+            for mesh in source.meshes:
+                yield mesh.page, self.mesh(mesh)
+
+    def front(self) -> str:
+        """The front page, with the first cards and all sources."""
+        meshes = self._catalogue.meshes
+        facets = [
+            {
+                "id": facet.id,
+                "label": facet.label,
+                "options": [(*option, n) for option, n in zip(facet.options, row, strict=True)],
+            }
+            for facet, row in zip(FACETS, counts(meshes), strict=True)
+        ]
+        return self._render(
+            "front",
+            "",
+            heading=self._catalogue.title,
+            description=self._catalogue.description or self._catalogue.title,
+            first_meshes=meshes[:FIRST],
+            facets=facets,
+            json_ld=metadata.catalogue_json_ld(self._catalogue),
+        )
+
+    def about(self) -> str:
+        """What the numbers mean, whose data they are, what there is for programs."""
+        return self._render(
+            "about",
+            "about/",
+            heading=f"About {self._catalogue.title}",
+            description=self._catalogue.description or self._catalogue.title,
+            index_version=INDEX_VERSION,
+            semi_structured=words.SEMI_STRUCTURED,
+        )
+
+    def gallery(self) -> str:
+        """Every mode and light side by side."""
+        return self._render("gallery", "gallery/", **gallery_values(self._collection))
+
+    def guide(self) -> str:
+        """What each tool does, with a picture."""
+        return self._render("guide", "guide/", **guide_values(self._collection))
+
+    def source(self, source: Source) -> str:
+        """A source's page."""
+        pictured = [mesh for mesh in source.meshes if mesh.picture_address in self._pictures]
+        return self._render(
+            "source",
+            source.page,
+            source=source,
+            heading=source.title,
+            description=metadata.describe_source(source),
+            highwire=metadata.highwire(source),
+            show_cards=bool(pictured),
+            some_unknown=any(mesh.facts.sj_min is None for mesh in source.meshes),
+            json_ld=metadata.source_json_ld(self._catalogue, source),
+        )
+
+    def mesh(self, mesh: MeshEntry) -> str:
+        """A mesh's page."""
+        return self._render(
+            "mesh",
+            mesh.page,
+            mesh=mesh,
+            source=mesh.source,
+            heading=f"{mesh.name} · {mesh.source.title}",
+            description=metadata.describe_mesh(mesh),
+            highwire=metadata.highwire(mesh.source),
+            fact_rows=list(_fact_rows(mesh)),
+            histogram=draw(mesh.facts.histogram) if mesh.facts.histogram else None,
+            quality_rows=list(_quality_rows(mesh)),
+            cite_mesh=self._cite_mesh(mesh),
+            json_ld=metadata.mesh_json_ld(self._catalogue, mesh),
+        )
+
+    def viewer(self, **values: Any) -> str:
+        """The viewer's page, from its own template."""
+        return self._environment.get_template("viewer.html.jinja").render(root="../", **values) + "\n"
+
+    def citations(self, source: Source) -> dict[str, Markup]:
+        """The source's reference in each style."""
+        if source.slug not in self._citations:
+            self._citations[source.slug] = {style: citation(source.reference, style) for style in STYLES}
+        return self._citations[source.slug]
+
+    def _cite_mesh(self, mesh: MeshEntry) -> str:
+        text = plain(self.citations(mesh.source)["APA"])
+        text += "" if text.endswith(".") or "://" in text.split()[-1] else "."
+        digest = f", SHA-256 {mesh.sha256[:16]}…" if mesh.sha256 else ""
+        return f"Mesh “{mesh.name}” ({mesh.file_name}{digest}) of: {text}"
+
+    def _render(self, template: str, page: str, **values: Any) -> str:
+        root = "../" * page.count("/")
+        picture = self._picture_of(values)
+        if picture:
+            values["og_picture"] = picture
+        return self._environment.get_template(f"{template}.html.jinja").render(root=root, page=page, **values)
+
+    def _picture_of(self, values: dict[str, Any]) -> str:
+        """The picture that stands for a page: its mesh's, or that of its source's first mesh that has one."""
+        meshes = (
+            [values["mesh"]] if "mesh" in values else values["source"].meshes if "source" in values else []
+        )
+        found = (mesh.picture_address for mesh in meshes if mesh.picture_address in self._pictures)
+        return next(found, "")
+
+
+def sorted_items(mapping: dict[Any, Any]) -> list[tuple[Any, Any]]:
+    """The items of a mapping by key, numbers as numbers."""
+    return sorted(mapping.items())
+
+
+def _fact_rows(mesh: MeshEntry) -> Iterator[tuple[str, str]]:
+    facts = mesh.facts
+    yield "Vertices", words.count(facts.vertices)
+    rows = [
+        ("Unreferenced vertices", facts.unreferenced_vertices or None),
+        ("Cells that repeat a vertex", facts.cells_repeating_a_vertex or None),
+        ("Boundary faces", facts.boundary_faces),
+        ("Faces of more than two cells", facts.nonmanifold_faces or None),
+        ("Edges", facts.edges),
+        ("Components", facts.components),
+    ]
+    for label, value in rows:
+        if value is not None:
+            yield label, words.count(value)
+    if facts.extent:
+        low, high = facts.extent
+        yield "Extent", " × ".join(words.number(b - a) for a, b in zip(low, high, strict=True))
+
+
+def _quality_rows(mesh: MeshEntry) -> Iterator[dict[str, Any]]:
+    for metric_id, found in (mesh.facts.quality or {}).items():
+        metric = METRICS[metric_id]
+        yield {"name": metric.name, "acceptable": _range(metric.acceptable_range), **found}
+
+
+def _range(ends: tuple[float, float] | None) -> str:
+    if ends is None:
+        return ""
+    low, high = ends
+    if math.isinf(high):
+        return f"from {low:g}"
+    return f"{low:g} to {high:g}".replace("-", "−")

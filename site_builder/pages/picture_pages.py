@@ -1,0 +1,116 @@
+"""What the pages of gallery and guide are filled with."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+import subprocess
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from markupsafe import Markup, escape
+
+from hexalab.formats import FORMATS
+from hexalab.quality import METRICS
+
+from ..pictures.collection import Collection
+from .words import NOT_KNOWN
+
+ROOT = Path(__file__).resolve().parents[2]
+
+KEYS_SCRIPT = """
+import { KEYS, OTHER_KEYS } from "./static/viewer/input/keys.js";
+console.log(JSON.stringify([...KEYS, ...OTHER_KEYS].map(({ group, keys, what }) => ({ group, keys, what }))));
+"""
+
+CHAPTERS = (
+    ("window", "The window"), ("slice", "Slice"), ("peel", "Peel"), ("quality", "Quality filter"),
+    ("picking", "Picking by hand"), ("regularise", "Regularise"), ("separation", "Separation"), ("colour", "Colour"),
+    ("silhouette", "Silhouette"), ("irregular", "Irregular edges"), ("lighting", "Light"),
+    ("histogram", "Histogram and statistics"), ("diagnosis", "Diagnosis"), ("inspector", "One cell"),
+    ("sharing", "Settings and sharing"), ("keyboard", "Keyboard"), ("formats", "Formats"),
+    ("metrics", "What the metrics mean"),
+)  # fmt: skip
+"""The guide's sections by their anchors."""
+
+UNITS = {0: "", 1: "length", 3: "volume"}
+NAMES_OF_KEYS = {"PageUp": "Page up", "PageDown": "Page down", "Escape": "Esc"}
+
+
+def gallery_values(collection: Collection) -> dict[str, Any]:
+    """Values of the gallery's template."""
+    return {
+        "heading": "Gallery",
+        "description": "Each way to separate cells and each light, side by side, made by the program itself.",
+        "sections": collection.gallery,
+    }
+
+
+def guide_values(collection: Collection) -> dict[str, Any]:
+    """Values of the guide's template."""
+    return {
+        "heading": "Guide",
+        "description": "Every tool of the viewer in a few sentences, with a picture; every metric with its ranges.",
+        "chapters": CHAPTERS,
+        "figures": collection.guide,
+        "metric_rows": [_metric_row(metric) for metric in METRICS.values()],
+        "format_rows": [_format_row(one) for one in FORMATS],
+        "key_groups": key_groups(),
+    }
+
+
+@cache
+def key_groups() -> dict[str, list[dict[str, Any]]]:
+    """The viewer's keys by group, out of the table that the viewer itself obeys; empty where Node is missing."""
+    command = ["node", "--input-type=module", "--eval", KEYS_SCRIPT]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT, check=True)
+    except (OSError, subprocess.CalledProcessError):
+        return {}
+    groups: dict[str, list[dict[str, Any]]] = {}
+    for row in json.loads(done.stdout):
+        groups.setdefault(row["group"], []).append({"caps": _caps(row["keys"][0]), "what": row["what"]})
+    return groups
+
+
+def _caps(key: str) -> list[str]:
+    """ "Ctrl+Shift+z" as the caps to press."""
+    parts = [key] if key == "+" else key.split("+")
+    return [part.upper() if len(part) == 1 else NAMES_OF_KEYS.get(part, part) for part in parts]
+
+
+def _metric_row(metric: Any) -> dict[str, Any]:
+    cube = NOT_KNOWN if metric.unit_cube is None else f"{metric.unit_cube:.4g}"
+    return {
+        "name": metric.name,
+        "symbol": metric.symbol,
+        "full": interval(metric.full_range),
+        "acceptable": interval(metric.acceptable_range) if metric.acceptable_range else NOT_KNOWN,
+        "cube": cube,
+        "best": "high" if metric.direction == "high" else "low",
+        "unit": UNITS[metric.unit],
+        "formula": formula(metric.formula),
+    }
+
+
+def interval(ends: tuple[float, float]) -> str:
+    """A range in words: "0 to 1", "from 1", "any number"."""
+    low, high = (f"{end:g}".replace("-", "−") for end in ends)
+    if math.isinf(ends[0]):
+        return "any number" if math.isinf(ends[1]) else f"up to {high}"
+    return f"from {low}" if math.isinf(ends[1]) else f"{low} to {high}"
+
+
+def formula(text: str) -> Markup:
+    """A metric's formula as HTML: powers raised, products with a cross."""
+    for plain, sign in ((" x ", " × "), (" - ", " − "), ("sqrt", "√"), ("^-", "^−")):
+        text = text.replace(plain, sign)
+    return Markup(
+        re.sub(r"\^\(([^)]*)\)|\^(−?\w+)", lambda found: f"<sup>{found[1] or found[2]}</sup>", escape(text))
+    )
+
+
+def _format_row(one: Any) -> dict[str, str]:
+    return {"name": one.name, "extensions": ", ".join(one.extensions), "writes": "yes" if one.writer else ""}

@@ -1,0 +1,1 @@
+"""From `repository/` on the disk to a catalogue, with every field checked."""

@@ -1,0 +1,106 @@
+"""The verbs that need a server or a browser, and what is said where a verb's package is missing."""
+
+from __future__ import annotations
+
+import io
+import socket
+import sys
+from pathlib import Path
+
+import pytest
+
+from hexalab import cli
+from hexalab.cli.progress import Progress
+
+pytestmark = pytest.mark.skipif(sys.platform == "emscripten", reason="hosts run natively")
+
+
+def test_A2_a_taken_port_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "index.html").write_text("<!doctype html>")
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = taken.getsockname()[1]
+        assert cli.main(["serve", "--out", str(tmp_path), "--port", str(port)]) == cli.MISUSE
+    assert capsys.readouterr().err.startswith(f"hexalab: port {port} can't be used: ")
+
+
+@pytest.mark.parametrize("words", [("serve", "--out")])
+def test_A2_a_site_that_is_not_there_is_told(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], words: tuple[str, ...]
+) -> None:
+    assert cli.main([*words, str(tmp_path / "none")]) == cli.MISUSE
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert len(err.splitlines()) == 1
+    assert "none" in err
+
+
+@pytest.mark.parametrize(
+    ("verb", "package", "remedy"),
+    [
+        ("build", "site_builder", "in a clone of the repository"),
+        ("validate", "yaml", "in a clone of the repository"),
+        ("render", "playwright", "pip install playwright"),
+    ],
+)
+def test_A2_a_verb_whose_package_is_missing_says_what_to_install(
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    verb: str,
+    package: str,
+    remedy: str,
+) -> None:
+    rooms = ("site_builder", "hexalab.cli.", "hexalab.hosts", package)
+    for name in [name for name in sys.modules if name.startswith(rooms)]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setitem(sys.modules, package, None)
+    assert cli.main([verb, "x"]) == cli.MISUSE
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert len(err.splitlines()) == 1
+    assert package in err and remedy in err
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["FILE"], "--out"),
+        (["none.mesh", "-o", "p.png"], "none.mesh"),
+        (["FILE", "-o", "p.png", "--width", "9000"], "1 to 8192"),
+        (["FILE", "-o", "p.png", "--status", "none.json"], "none.json: no such file"),
+        (["FILE", "-o", "p.png", "--status", "FILE"], "not JSON"),
+        (["FILE", "-o", "p.png", "--status", "list.json"], "expected a JSON object"),
+        (["FILE", "-o", "p.png", "--site", "none"], "build the site first"),
+    ],
+)
+def test_A2_a_mistake_in_rendering_is_told_before_a_browser_starts(
+    mesh_file: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    words: list[str],
+    told: str,
+) -> None:
+    monkeypatch.chdir(mesh_file.parent)
+    Path("list.json").write_text("[1]")
+    assert cli.main(["render", *(mesh_file.name if word == "FILE" else word for word in words)]) == cli.MISUSE
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert len(err.splitlines()) == 1
+    assert told in err
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+def test_A2_progress_shows_on_a_terminal_only() -> None:
+    terminal, pipe = Terminal(), io.StringIO()
+    for stream in (terminal, pipe):
+        with Progress(stream) as tell:
+            tell("reading", 0.5)
+            tell("done", 2)
+    assert pipe.getvalue() == ""
+    assert "█" * 12 + "░" * 12 + " reading" in terminal.getvalue()
+    assert terminal.getvalue().endswith("\r\x1b[K")

@@ -1,0 +1,83 @@
+"""The local server: right types, fresh files, this machine only."""
+
+import threading
+import urllib.error
+import urllib.request
+
+import pytest
+
+from hexalab.hosts.serving import make_server, serve
+
+
+@pytest.fixture
+def served(tmp_path):
+    site = tmp_path / "site"
+    (site / "folder").mkdir(parents=True)
+    for name in (
+        "index.html",
+        "a.js",
+        "b.mjs",
+        "c.wasm",
+        "d.json",
+        "e.svg",
+        "f.whl",
+        "g.mesh",
+        "h.css",
+        "i.webmanifest",
+    ):
+        (site / name).write_text(name)
+    (tmp_path / "secret").write_text("secret")
+    with make_server(site) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield server
+        server.shutdown()
+
+
+def get(server, path, **headers):
+    request = urllib.request.Request(server.address + path, headers=headers)
+    return urllib.request.urlopen(request, timeout=10)
+
+
+@pytest.mark.parametrize(
+    ("name", "kind"),
+    [
+        ("", "text/html; charset=utf-8"),
+        ("a.js", "text/javascript"),
+        ("b.mjs", "text/javascript"),
+        ("c.wasm", "application/wasm"),
+        ("d.json", "application/json"),
+        ("e.svg", "image/svg+xml"),
+        ("f.whl", "application/octet-stream"),
+        ("g.mesh", "application/octet-stream"),
+        ("h.css", "text/css"),
+        ("i.webmanifest", "application/manifest+json"),
+    ],
+)
+def test_O1_types_are_right_on_every_machine(served, name, kind):
+    with get(served, name) as answer:
+        assert answer.headers["Content-Type"] == kind
+        assert answer.headers["Cache-Control"] == "no-cache"
+
+
+def test_O1_an_unchanged_file_is_not_sent_again(served):
+    with get(served, "a.js") as answer:
+        date = answer.headers["Last-Modified"]
+    with pytest.raises(urllib.error.HTTPError) as caught:
+        get(served, "a.js", **{"If-Modified-Since": date})
+    assert caught.value.code == 304
+
+
+@pytest.mark.parametrize("path", ["folder/", "nothing.html", "../secret", "%2e%2e/secret"])
+def test_O1_nothing_else_is_shown(served, path):
+    with pytest.raises(urllib.error.HTTPError) as caught:
+        get(served, path)
+    assert caught.value.code == 404
+
+
+def test_O1_only_this_machine_is_answered(served):
+    assert served.server_address[0] == "127.0.0.1"
+
+
+def test_O1_a_folder_without_a_site_is_named(tmp_path):
+    with pytest.raises(FileNotFoundError, match="build it first"):
+        serve(tmp_path, 0)

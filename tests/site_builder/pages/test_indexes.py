@@ -1,0 +1,90 @@
+"""The indexes for machines: the viewer's, ours, the original's, the search's."""
+
+import hashlib
+import json
+
+import pytest
+
+from hexalab.formats import read_bytes
+from hexalab.packing import unpack
+from site_builder.pages.facets import FACETS
+
+
+def load(site, name):
+    return json.loads((site / name).read_text("utf-8"))
+
+
+def test_C4_the_viewers_index(site):
+    sources = load(site, "catalogue.json")["sources"]
+    small, far = sources
+    assert far["authors"] == ["Ana María Núñez", "J. van der Berg", "Wei Li"]
+    assert (far["year"], far["doi"]) == (2021, "10.5555/meshes.2021.7")
+    assert far["pdf"] == "https://meshes.example.org/paper.pdf"
+    first, second = far["meshes"]
+    assert first["remote"] is True
+    assert first["url"] == "https://meshes.example.org/data%20sets/far/one%20folder/first.mesh"
+    assert first["cells"] == 844
+    assert second["bytes"] is None
+    for mesh in small["meshes"]:
+        assert mesh["remote"] is False
+        data = (site / mesh["url"]).read_bytes()
+        assert hashlib.sha256(data).hexdigest() == mesh["sha256"]
+        assert len(data) == mesh["bytes"]
+        assert read_bytes(data, mesh["url"]).cell_count == mesh["cells"]
+
+
+def test_O2_meshes_here_have_a_preview(site):
+    for mesh in load(site, "catalogue.json")["sources"][0]["meshes"]:
+        preview = unpack((site / mesh["preview"]).read_bytes())
+        assert preview
+
+
+def test_C3_our_index_has_a_version_and_all_facts(site):
+    index = load(site, "index.json")
+    assert index["version"] == 1
+    assert index["url"] == "https://meshes.example.org/hex/"
+    mesh = index["sources"][0]["meshes"][0]
+    assert mesh["facts"]["quality"]["scaled_jacobian"]["min"] == pytest.approx(1)
+    assert mesh["facts"]["cells_per_depth"] == [2]
+    assert mesh["facts"]["interior_edge_valence"] == {}
+    assert (site / mesh["page"] / "index.html").is_file()
+    assert index["sources"][1]["reference"]["DOI"] == "10.5555/meshes.2021.7"
+    assert "sj_min" not in index["sources"][1]["meshes"][1]["facts"]
+
+
+def test_C3_the_originals_form(site):
+    index = load(site, "datasets/index.json")
+    assert list(index) == ["sources"]
+    small, far = index["sources"]
+    assert set(far["paper"]) == {"title", "venue", "authors", "year", "PDF", "web", "DOI"}
+    assert all(isinstance(value, str) for value in far["paper"].values())
+    assert far["path"] == "2021 - Hexahedra & their friends"
+    assert far["data"] == ["one folder/first.mesh", "second.vtk"]
+    assert far["datasize"] == [844, 4200]
+    assert far["label"].startswith("2021 - ")
+    for name, cells in zip(small["data"], small["datasize"], strict=True):
+        file = site / "datasets" / small["path"] / name
+        assert read_bytes(file.read_bytes(), name).cell_count == cells
+
+
+def test_C2_the_search_index_is_small_and_complete(site):
+    index = load(site, "search.json")
+    assert len(index["meshes"]) == 5
+    assert [facet["id"] for facet in index["facets"]] == [facet.id for facet in FACETS]
+    for row in index["meshes"]:
+        assert len(row) == 11
+        assert len(row[9]) == len(FACETS)
+        for code, facet in zip(row[9], index["facets"], strict=True):
+            assert int(code) < len(facet["options"])
+    names = {row[1]: row for row in index["meshes"]}
+    validity = [facet.id for facet in FACETS].index("validity")
+    assert index["facets"][validity]["options"][int(names["parts-turned"][9][validity])] == "invalid"
+    assert index["facets"][validity]["options"][int(names["second"][9][validity])] == "unknown"
+
+
+def test_C2_references_can_be_downloaded_one_by_one_and_together(site):
+    assert "@article{far," in (site / "sources/far/far.bib").read_text("utf-8")
+    together = (site / "catalogue.bib").read_text("utf-8")
+    assert together.count("@") == 2
+    assert (site / "catalogue.ris").read_text("utf-8").count("ER  - ") == 2
+    assert [item["id"] for item in load(site, "catalogue.csl.json")] == ["small", "far"]
