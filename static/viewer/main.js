@@ -1,5 +1,5 @@
-import { answerMessages, HexaLab } from "./api.js";
-import { App } from "./app.js";
+import { answerMessages, HexaLab } from "./app/api.js";
+import { App } from "./app/app.js";
 import { CoreClient } from "./core/client.js";
 import { listenToClipboard } from "./input/clipboard.js";
 import { listenToDrops } from "./input/drop.js";

@@ -1,5 +1,5 @@
 import { cameraOnCell } from "../state/camera.js";
-import { qualitySource } from "../panels/quality_source.js";
+import { qualitySource } from "../state/quantity.js";
 import { dig, isolate, undig } from "../state/picking.js";
 
 /** What can be done to single cells: inspect, fly to, pick, show those of a finding. */

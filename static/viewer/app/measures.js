@@ -1,5 +1,5 @@
 import { Superseded } from "../core/client.js";
-import { qualitySource } from "../panels/quality_source.js";
+import { qualitySource } from "../state/quantity.js";
 
 /** Parts of the description, the quick ones first. */
 const PARTS = ["faces", "edges", "layers", "vertices", "findings"];

@@ -1,6 +1,6 @@
 import { Superseded } from "../core/client.js";
-import { download } from "../catalogue/download.js";
-import { unpack } from "../catalogue/packing.js";
+import { download } from "../files/download.js";
+import { unpack } from "../files/packing.js";
 import { count } from "../state/numbers.js";
 
 /**

@@ -1,7 +1,7 @@
-import { mapColours } from "../charts/histogram_panel.js";
+import { mapColours } from "../colours/palettes.js";
 import { toCsv, toPng, toSvg } from "../charts/export.js";
-import { qualitySource } from "../panels/quality_source.js";
-import { writeStatus } from "../png.js";
+import { qualitySource } from "../state/quantity.js";
+import { writeStatus } from "../files/png_text.js";
 import { statusToHash } from "../state/link.js";
 
 /** Hand a file to the user. @param {Blob} blob @param {string} name */

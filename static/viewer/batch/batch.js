@@ -1,11 +1,11 @@
 import { CoreError, Superseded } from "../core/client.js";
-import { readZip, writeZip } from "./zip.js";
+import { readZip, writeZip } from "../files/zip.js";
 
 /**
  * A zip of meshes in, a zip of pictures, histograms and measurements out (SPEC B1). All are drawn under one status, or
  * under the one beside the mesh (`name.json` or `name.txt`). A mesh that fails is told in the table; the rest goes on.
  *
- * @typedef {import("./zip.js").Entry} Entry
+ * @typedef {import("../files/zip.js").Entry} Entry
  * @typedef {{ width?: number, height?: number, status?: any, signal?: AbortSignal,
  *   report?: (done: number, of: number, name: string) => void }} Options
  * @typedef {Record<string, string | number>} Row

@@ -4,7 +4,7 @@ import { isTyping } from "./typing.js";
  * Ctrl+C copies the settings where no text is selected, Ctrl+V applies settings (or opens a mesh file) from the
  * clipboard; text fields and dialogs keep both for themselves.
  *
- * @param {import("../app.js").App} app
+ * @param {import("../app/app.js").App} app
  */
 export function listenToClipboard(app) {
   const mine = (/** @type {Event} */ event) =>

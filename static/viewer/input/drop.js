@@ -1,4 +1,4 @@
-/** Files dropped anywhere in the window open. @param {import("../app.js").App} app */
+/** Files dropped anywhere in the window open. @param {import("../app/app.js").App} app */
 export function listenToDrops(app) {
   let depth = 0;
   const show = (/** @type {boolean} */ on) => document.body.classList.toggle("dropping", on);

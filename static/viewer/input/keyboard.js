@@ -4,7 +4,7 @@ import { isTyping } from "./typing.js";
 /** Controls that use Enter themselves. */
 const PRESSABLE = "button, a, summary, input, select";
 
-/** @param {import("../app.js").App} app @param {import("../page/page.js").Page} page */
+/** @param {import("../app/app.js").App} app @param {import("../page/page.js").Page} page */
 export function listenToKeys(app, page) {
   window.addEventListener("keydown", (event) => {
     if (

@@ -4,7 +4,7 @@ import { fromView, inverted, withPlane } from "../state/planes.js";
 /**
  * The keyboard as a table, F3D's keys where they fit. The cheat sheet is made from it.
  *
- * @typedef {import("../app.js").App} App
+ * @typedef {import("../app/app.js").App} App
  * @typedef {{ keys: readonly string[], group: string, what: string, press: (app: App, event: KeyboardEvent) => void }} KeyRow
  *   `keys` as in KeyboardEvent.key, "Ctrl+" before it where that is held
  */

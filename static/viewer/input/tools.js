@@ -17,7 +17,7 @@ export class Tools {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #telling;
 
-  /** @param {import("../app.js").App} app @param {HTMLCanvasElement} canvas */
+  /** @param {import("../app/app.js").App} app @param {HTMLCanvasElement} canvas */
   constructor(app, canvas) {
     this.#app = app;
     this.#canvas = canvas;

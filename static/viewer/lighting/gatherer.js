@@ -13,7 +13,7 @@ import {
   Vector4,
   WebGLRenderTarget,
 } from "three";
-import { VERTEX_COLUMNS } from "../scene/texel.js";
+import { VERTEX_COLUMNS } from "../geometry/texel.js";
 import { TILES } from "./depth_atlas.js";
 import { GROOVE_SHARES } from "./plates.js";
 

@@ -34,7 +34,7 @@ export class Lighting {
 
   /**
    * @param {import("three").WebGLRenderer} renderer
-   * @param {import("../scene/surface_layer.js").SurfaceLayer} layer
+   * @param {import("../scene/layers/surface_layer.js").SurfaceLayer} layer
    */
   constructor(renderer, layer) {
     this.object = new ObjectSpaceAO(renderer);

@@ -1,13 +1,13 @@
 import { BufferAttribute, BufferGeometry } from "three";
-import { flatQuadIndex } from "../scene/quad_index.js";
+import { flatQuadIndex } from "../geometry/quad_index.js";
 import { DepthAtlas } from "./depth_atlas.js";
 import { DIRECTIONS, directions } from "./directions.js";
 import { Gatherer } from "./gatherer.js";
 import { lightView } from "./light_view.js";
 import { platesOf } from "./plates.js";
-import { meanSide } from "./mean_side.js";
+import { meanSide } from "../geometry/mean_side.js";
 import { gatheringPoints } from "./samples.js";
-import { vertexTexel } from "../scene/texel.js";
+import { vertexTexel } from "../geometry/texel.js";
 
 /** Pixels of the atlas's side. */
 const ATLAS = 2048;

@@ -1,5 +1,5 @@
-import { VERTEX_COLUMNS, vertexRows, vertexTexel } from "../scene/texel.js";
-import { isTriangle } from "../scene/triangle.js";
+import { VERTEX_COLUMNS, vertexRows, vertexTexel } from "../geometry/texel.js";
+import { isTriangle } from "../geometry/triangle.js";
 
 /** How far the point where a flat face's corner gathers light is drawn from the corner to the face's middle. */
 export const PULL = 0.15;

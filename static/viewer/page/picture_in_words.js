@@ -1,5 +1,5 @@
 import { kindsInWords } from "../panels/mesh.js";
-import { qualitySource } from "../panels/quality_source.js";
+import { qualitySource } from "../state/quantity.js";
 import { decimal } from "../state/numbers.js";
 import { watch } from "../widgets/bind.js";
 import { setText } from "../widgets/dom.js";

@@ -1,8 +1,8 @@
 import { count, decimal } from "../state/numbers.js";
 import { watch } from "../widgets/bind.js";
 import { h } from "../widgets/dom.js";
-import { histogramPanel } from "../charts/histogram_panel.js";
-import { chooseSource, qualitySource, sourceOptions } from "./quality_source.js";
+import { histogramPanel } from "./histogram.js";
+import { chooseSource, qualitySource, sourceOptions } from "../state/quantity.js";
 
 /** @typedef {import("../widgets/bind.js").Context} Context */
 
@@ -115,7 +115,7 @@ function rangeInWords([low, high]) {
   return `${low === null ? "−∞" : decimal(low, 2)} to ${high === null ? "∞" : decimal(high, 2)}`;
 }
 
-/** @param {any} statistics @param {import("./quality_source.js").Source} source @returns {[string, string][]} */
+/** @param {any} statistics @param {import("../state/quantity.js").Source} source @returns {[string, string][]} */
 function statisticsRows(statistics, source) {
   const { percentiles = {} } = statistics;
   /** @type {[string, string][]} */

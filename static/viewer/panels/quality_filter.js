@@ -8,7 +8,7 @@ import {
   shareOf,
   thresholdOf,
 } from "../state/quality_filter.js";
-import { qualitySource } from "./quality_source.js";
+import { qualitySource } from "../state/quantity.js";
 
 /**
  * @typedef {import("../widgets/bind.js").Context} Context

@@ -14,7 +14,7 @@ import {
   Ray,
   WebGLRenderTarget,
 } from "three";
-import { flatQuadIndex } from "./quad_index.js";
+import { flatQuadIndex } from "../geometry/quad_index.js";
 
 const VERTEX = `
 precision highp float;

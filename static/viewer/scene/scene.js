@@ -1,18 +1,18 @@
 import { Vector3 } from "three";
 import { Lighting } from "../lighting/lighting.js";
-import { CameraRig } from "./camera_rig.js";
+import { CameraRig } from "./camera/camera_rig.js";
 import { Emitter } from "./emitter.js";
-import { FrameLoop } from "./frame_loop.js";
-import { Layers } from "./layers.js";
-import { Motion } from "./motion.js";
-import { Pace } from "./pace.js";
-import { Painter } from "./painter.js";
+import { FrameLoop } from "./frame/frame_loop.js";
+import { Layers } from "./layers/layers.js";
+import { Motion } from "./frame/motion.js";
+import { Pace } from "./frame/pace.js";
+import { Painter } from "./frame/painter.js";
 import { Picker } from "./picker.js";
-import { planeExtent } from "./plane_extent.js";
-import { release } from "./release.js";
-import { takePicture } from "./screenshot.js";
-import { Trackball } from "./trackball.js";
-import { UNSEEN } from "./unseen.js";
+import { planeExtent } from "./layers/plane_extent.js";
+import { release } from "./layers/release.js";
+import { takePicture } from "./frame/screenshot.js";
+import { Trackball } from "./camera/trackball.js";
+import { UNSEEN } from "./layers/unseen.js";
 
 /**
  * The drawing of one mesh on one canvas: takes the core's buffers and the status document, draws when something changed.

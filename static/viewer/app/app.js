@@ -1,0 +1,268 @@
+import { Cells } from "./cells.js";
+import { Documents, parse } from "./documents.js";
+import { Drawing } from "./drawing.js";
+import { Measures } from "./measures.js";
+import { Messages } from "./messages.js";
+import { fromFile, fromUrl, Opening } from "./opening.js";
+import { Progress } from "./progress.js";
+import { Saving } from "./saving.js";
+import { Batch, meshesOf } from "../batch/batch.js";
+import { readZip } from "../files/zip.js";
+import { Catalogue } from "../catalogue/catalogue.js";
+import { CoreError, Superseded } from "../core/client.js";
+import { readStatus } from "../files/png_text.js";
+
+/**
+ * The application: holds status, facts, core and scene together. Panels, keys and scripts call its actions; settings
+ * go through the store.
+ *
+ *     const app = new App({ store, facts, client, scene, tables, root: "../" });
+ *     app.start();
+ *     await app.openFiles([file]);
+ */
+export class App {
+  /** @param {{ store: any, facts: any, client: any, scene: any, tables: any, root: string }} parts */
+  constructor({ store, facts, client, scene, tables, root }) {
+    this.store = store;
+    this.facts = facts;
+    this.client = client;
+    this.scene = scene;
+    this.tables = tables;
+    this.root = root;
+    this.messages = new Messages(facts);
+    this.progress = new Progress(facts);
+    this.drawing = new Drawing(this);
+    this.measures = new Measures(this);
+    this.documents = new Documents(this);
+    this.cells = new Cells(this);
+    this.saving = new Saving(this);
+    this.opening = new Opening(this);
+    this.batch = new Batch(this);
+    facts.set({ core: "starting", tool: "turn", plane: 0, statistics: {}, timings: {} });
+  }
+
+  /** Wait for the core and the catalogue, and listen to what can go wrong. */
+  start() {
+    const { client, scene, facts, store, messages } = this;
+    const began = performance.now();
+    const starting = this.progress.begin("starting Python");
+    client.ready.then(
+      () => {
+        starting.end();
+        this.note({ boot: performance.now() - began });
+        facts.set({ core: "ready" });
+      },
+      (/** @type {Error} */ error) => {
+        starting.end();
+        facts.set({ core: "failed" });
+        messages.say("error", `Python could not be started: ${error.message}`);
+      },
+    );
+    client.addEventListener("identified", (/** @type {CustomEvent} */ { detail }) => {
+      store.set({ mesh: { sha256: detail.sha256 } }, { undo: false });
+    });
+    client.addEventListener("died", () => {
+      this.drawing.ready = false;
+      facts.set({ core: "starting" });
+      messages.say("warning", "The core stopped and is being started again", { topic: "core" });
+    });
+    client.addEventListener("restarted", () => this.#restarted());
+    scene.on("camera", (/** @type {any} */ camera) => store.set({ camera }, { undo: "camera" }));
+    scene.on("cameraend", () => store.seal());
+    scene.on("contextlost", () =>
+      messages.say(
+        "warning",
+        "The browser took the graphics away; the picture comes back when it returns them",
+        { topic: "context" },
+      ),
+    );
+    scene.on("contextrestored", () => messages.settle("context"));
+    this.catalogue = this.#fetchCatalogue();
+    setTimeout(() => scene.warmUp());
+  }
+
+  async #restarted() {
+    this.facts.set({ core: "ready" });
+    try {
+      await this.opening.reopen();
+      this.messages.say("note", "The core stopped and was started again; the mesh is open as before", {
+        topic: "core",
+      });
+    } catch (error) {
+      this.messages.error(error, { topic: "core" });
+    }
+  }
+
+  async #fetchCatalogue() {
+    try {
+      const catalogue = await Catalogue.fetch(new URL(this.root, location.href).href);
+      this.facts.set({ catalogue });
+      return catalogue;
+    } catch (error) {
+      this.messages.error(error, { topic: "catalogue" });
+      return null;
+    }
+  }
+
+  /** Keep times for `timings()`. @param {Record<string, number | undefined>} times milliseconds */
+  note(times) {
+    const known = Object.fromEntries(Object.entries(times).filter(([, value]) => value !== undefined));
+    this.facts.set({ timings: { ...this.facts.get("timings"), ...known } });
+  }
+
+  /**
+   * Open dropped or chosen files: settings and pictures apply, the first mesh opens under them.
+   *
+   * @param {readonly File[]} files @returns {Promise<any>} the mesh's summary, or null if there was none
+   */
+  async openFiles(files) {
+    const meshes = [];
+    let status = null;
+    for (const file of files) {
+      const kind = kindOf(file);
+      if (kind === "mesh") meshes.push(file);
+      else if (kind === "archive") return this.#openArchive(file);
+      else status = (await this.#statusIn(file, kind)) ?? status;
+    }
+    if (meshes.length > 1)
+      this.messages.say(
+        "note",
+        `One mesh is shown at a time: ${meshes[0].name} was opened, ${meshes.length - 1} more left out`,
+        { topic: "drop" },
+      );
+    if (meshes.length) {
+      const summary = await this.opening.open({ ...fromFile(meshes[0]), status });
+      nameInAddress(null);
+      return summary;
+    }
+    if (status) await this.#applied(status);
+    return null;
+  }
+
+  /** The mesh in an archive; several are offered as a batch. @param {File} file @returns {Promise<any>} */
+  async #openArchive(file) {
+    try {
+      const buffer = await file.arrayBuffer();
+      const meshes = meshesOf(readZip(buffer), this.tables.formats);
+      if (!meshes.length) throw new Error("the archive holds no mesh");
+      if (meshes.length > 1)
+        return this.facts.set({ archive: { name: file.name, buffer, count: meshes.length } });
+      const [{ name, read }] = meshes;
+      return await this.opening.open({
+        name: name.split("/").pop() ?? name,
+        bytes: async () => (await read()).buffer,
+      });
+    } catch (error) {
+      if (error instanceof Superseded || error instanceof CoreError) throw error;
+      this.messages.say("error", `${file.name}: ${error instanceof Error ? error.message : error}`, {
+        topic: "open",
+      });
+      return null;
+    }
+  }
+
+  /** @param {any} status */
+  async #applied(status) {
+    try {
+      await this.documents.apply(status);
+    } catch (error) {
+      this.messages.error(error, { topic: "status" });
+    }
+  }
+
+  /** @param {File} file @param {"status" | "picture"} kind @returns {Promise<any>} */
+  async #statusIn(file, kind) {
+    try {
+      const text = kind === "status" ? await file.text() : await readStatus(await file.arrayBuffer());
+      if (text === null) throw new Error(`${file.name} carries no HexaLab settings`);
+      return parse(text, file.name);
+    } catch (error) {
+      this.messages.error(error, { topic: "status" });
+      return null;
+    }
+  }
+
+  /** @param {string} address @param {any} [status] */
+  async openUrl(address, status) {
+    const summary = await this.opening.open({ ...fromUrl(address), status });
+    nameInAddress(new URL(address, location.href).href);
+    return summary;
+  }
+
+  /** Choose a source of the catalogue, whose meshes are then offered. @param {string} slug */
+  chooseSource(slug) {
+    const source = this.facts.get("catalogue")?.source(slug) ?? null;
+    this.facts.set({ source });
+    if (source?.meshes.length === 1) this.chooseEntry(slug, source.meshes[0].slug);
+  }
+
+  /** The same from a control: what goes wrong has been said in a message. @param {string} source @param {string} mesh @param {any} [status] */
+  chooseEntry(source, mesh, status) {
+    this.openEntry(source, mesh, status).catch(() => {});
+  }
+
+  /** Open a mesh of the catalogue. @param {string} source @param {string} mesh @param {any} [status] */
+  async openEntry(source, mesh, status) {
+    if (!mesh) return null;
+    const catalogue = await this.catalogue;
+    const entry = catalogue?.entry(source, mesh);
+    if (!entry) {
+      const error = new Error(`the catalogue has no mesh ${source}/${mesh}`);
+      this.messages.error(error, { topic: "open" });
+      throw error;
+    }
+    const { url } = entry.mesh;
+    const summary = await this.opening.open({ ...fromUrl(url), entry, status });
+    nameInAddress(`${source}/${mesh}`);
+    return summary;
+  }
+
+  /** Open the mesh before or after this one in its source. @param {number} step */
+  openBeside(step) {
+    const entry = this.facts.get("entry");
+    const next = entry && this.facts.get("catalogue")?.beside(entry, step);
+    if (next) this.chooseEntry(next.source.slug, next.mesh.slug);
+  }
+
+  /** @param {number | null} cell */
+  inspect(cell) {
+    return this.cells.inspect(cell);
+  }
+
+  /** @param {number} cell */
+  flyTo(cell) {
+    return this.cells.flyTo(cell);
+  }
+
+  /** @param {"dig" | "undig" | "isolate"} action @param {number} cell */
+  pick(action, cell) {
+    this.cells.pick(action, cell);
+  }
+
+  /** @param {{ id: string, message: string }} finding */
+  showFinding(finding) {
+    return this.cells.showFinding(finding);
+  }
+
+  /** @param {"png" | "svg" | "csv"} format */
+  saveHistogram(format) {
+    return this.saving.saveHistogram(format);
+  }
+}
+
+/** What a file is: settings, a picture that may carry them, an archive, or a mesh. @param {File} file @returns {"status" | "picture" | "archive" | "mesh"} */
+function kindOf(file) {
+  if (/\.(json|txt)$/i.test(file.name)) return "status";
+  if (/\.png$/i.test(file.name)) return "picture";
+  if (/\.zip$/i.test(file.name)) return "archive";
+  return "mesh";
+}
+
+/** Let the page's address name the open mesh, so that a link to it is right. @param {string | null} mesh null for a local file */
+function nameInAddress(mesh) {
+  const address = new URL(location.href);
+  if (new URLSearchParams(address.search).get("mesh") === mesh) return;
+  address.search = mesh === null ? "" : `?mesh=${mesh.includes(":") ? encodeURIComponent(mesh) : mesh}`;
+  address.hash = "";
+  history.replaceState(null, "", address);
+}

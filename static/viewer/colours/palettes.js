@@ -1,0 +1,101 @@
+import { componentsOf } from "./components.js";
+
+/**
+ * Colour maps as rows of [position, colour]; the first colour is that of the best cell. Between knots the colour runs
+ * straight. Parula and viridis are sampled from their published definitions, jet and red-blue are defined by knots.
+ *
+ * @type {Record<string, [number, string][]>}
+ */
+const KNOTS = {
+  parula: [
+    [0, "#352a87"],
+    [4 / 63, "#3243ba"],
+    [6 / 63, "#2053d4"],
+    [8 / 63, "#0363e1"],
+    [12 / 63, "#0d75dc"],
+    [16 / 63, "#1485d4"],
+    [20 / 63, "#0998d1"],
+    [24 / 63, "#06a7c6"],
+    [28 / 63, "#16b1b4"],
+    [32 / 63, "#38b99e"],
+    [36 / 63, "#65be86"],
+    [40 / 63, "#92bf73"],
+    [46 / 63, "#c8bc5d"],
+    [50 / 63, "#e9b94e"],
+    [53 / 63, "#fdbe3d"],
+    [56 / 63, "#fcce2e"],
+    [60 / 63, "#f5e41d"],
+    [1, "#f9fb0e"],
+  ],
+  jet: [
+    [0, "#00007f"],
+    [1 / 72, "#00007f"],
+    [10 / 72, "#0000ff"],
+    [28 / 72, "#00ffff"],
+    [46 / 72, "#ffff00"],
+    [64 / 72, "#ff0000"],
+    [1, "#8d0000"],
+  ],
+  red_blue: [
+    [0, "#0000ff"],
+    [0.5, "#ffffff"],
+    [1, "#ff0000"],
+  ],
+  viridis: [
+    "#440154", "#481a6c", "#472f7d", "#414487", "#39568c", "#31688e", "#2a788e", "#23888e",
+    "#1f988b", "#22a884", "#35b779", "#54c568", "#7ad151", "#a5db36", "#d2e21b", "#fde725",
+  ].map((colour, k) => [k / 15, colour]), // prettier-ignore
+};
+
+/** Colours of hexahedron, wedge, pyramid, tetrahedron, in the order of the core's KINDS. */
+export const KIND_COLOURS = ["#f2efe8", "#e5a04c", "#5aa9a0", "#a06ab4"];
+
+/** Colour of a cell whose value is not a number, or not finite. */
+export const NOT_FINITE = "#8c8c8c";
+
+export const PALETTES = Object.freeze(Object.keys(KNOTS));
+
+/**
+ * Colour of a map at a position from 0 (best) to 1.
+ *
+ * @param {string} map name, one of `PALETTES`
+ * @param {number} position
+ * @returns {[number, number, number]} components, 0 to 1
+ */
+export function paletteColour(map, position) {
+  const knots = KNOTS[map] ?? KNOTS.parula;
+  const t = Math.min(1, Math.max(0, position));
+  let k = 1;
+  while (k < knots.length - 1 && knots[k][0] < t) k++;
+  const [t0, hex0] = knots[k - 1];
+  const [t1, hex1] = knots[k];
+  const f = (t - t0) / (t1 - t0);
+  const a = componentsOf(hex0);
+  const b = componentsOf(hex1);
+  return [a[0] + f * (b[0] - a[0]), a[1] + f * (b[1] - a[1]), a[2] + f * (b[2] - a[2])];
+}
+
+/** Colours of a map for style sheets and SVG; grey where there is no value. @param {string} map @returns {(position: number) => string} */
+export function mapColours(map) {
+  return (position) => {
+    if (!Number.isFinite(position)) return NOT_FINITE;
+    const [r, g, b] = paletteColour(map, position).map((part) => Math.round(part * 255));
+    return `rgb(${r} ${g} ${b})`;
+  };
+}
+
+/**
+ * The 256 entries of a map as bytes, four to an entry.
+ *
+ * @param {string} map
+ * @returns {Uint8Array}
+ */
+export function paletteBytes(map) {
+  const bytes = new Uint8Array(256 * 4);
+  for (let k = 0; k < 256; k++) {
+    const colour = map === "kind" ? componentsOf(KIND_COLOURS[k % 4]) : paletteColour(map, k / 255);
+    for (let c = 0; c < 3; c++) bytes[4 * k + c] = Math.round(255 * colour[c]);
+    bytes[4 * k + 3] = 255;
+  }
+  return bytes;
+}

@@ -1,0 +1,87 @@
+import { mapColours } from "../colours/palettes.js";
+import { bandOf, withBand } from "./quality_filter.js";
+import { qualitySource } from "../state/quantity.js";
+import { decimal } from "../state/numbers.js";
+import { watch } from "../widgets/bind.js";
+import { h, s, setText } from "../widgets/dom.js";
+import { brush } from "../charts/brush.js";
+import { layOut } from "../charts/histogram_layout.js";
+import { marks } from "../charts/histogram_svg.js";
+
+/** @typedef {import("../widgets/bind.js").Context} Context */
+
+/** Heights in pixels by orientation. */
+const HEIGHTS = { horizontal: 120, vertical: 280 };
+
+/**
+ * The histogram, which is the legend of the picture too: bars in the map's colours, the acceptable range as a bracket,
+ * the filter's bounds as lines that can be dragged. Dragging over the bars shows a band, a double click all.
+ *
+ * @param {Context} context
+ */
+export function histogramPanel(context) {
+  const svg = s("svg", { class: "histogram", role: "group" });
+  const caption = h("p", { class: "visually-hidden" });
+  const note = h("p", { class: "quiet histogram-note", hidden: true });
+  const element = h("div", { class: "histogram-frame" }, svg, caption, note);
+  const hand = brush(svg, {
+    band: () => bandOf(context),
+    write: (item, undo) => context.store.set(withBand(context, item), { undo }),
+    done: () => context.store.seal(),
+    source: () => qualitySource(context).id,
+  });
+
+  function draw() {
+    const data = context.facts.get("histogram");
+    element.hidden = !data;
+    if (!data || !element.clientWidth) return;
+    const source = qualitySource(context);
+    const { orientation, scale } = context.store.status.histogram;
+    const frame = {
+      width: element.clientWidth,
+      height: HEIGHTS[/** @type {"horizontal" | "vertical"} */ (orientation)],
+      orientation,
+      scale,
+    };
+    const layout = layOut(data, frame);
+    const style = getComputedStyle(element);
+    const token = (/** @type {string} */ name) => style.getPropertyValue(name).trim();
+    const look = {
+      colour: mapColours(context.store.status.colour.map),
+      ink: token("--ink"),
+      quiet: token("--quiet"),
+      line: token("--edge"),
+      acceptable: source.acceptable,
+    };
+    svg.setAttribute("viewBox", `0 0 ${frame.width} ${frame.height}`);
+    svg.setAttribute("width", String(frame.width));
+    svg.setAttribute("height", String(frame.height));
+    svg.setAttribute("aria-label", `Histogram of ${source.name}`);
+    hand.draw(layout, marks(layout, data, look));
+    setText(caption, inWords(data, source));
+    note.hidden = !data.not_finite;
+    setText(
+      note,
+      data.not_finite
+        ? `${data.not_finite.toLocaleString("en-GB")} values are not finite and are left out`
+        : "",
+    );
+  }
+
+  watch(
+    context,
+    { status: ["histogram", "colour", "filters.quality"], facts: ["histogram", "statistics"] },
+    draw,
+  );
+  new ResizeObserver(draw).observe(element);
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);
+  return element;
+}
+
+/** @param {import("../charts/histogram_layout.js").HistogramData} data @param {import("../state/quantity.js").Source} source */
+function inWords(data, source) {
+  const counts = Array.from(data.counts, Number);
+  const peak = counts.indexOf(Math.max(...counts));
+  const between = `${decimal(Number(data.edges[peak]))} and ${decimal(Number(data.edges[peak + 1]))}`;
+  return `${source.name} from ${decimal(data.low)} to ${decimal(data.high)}; most values, ${counts[peak]}, lie between ${between}.`;
+}

@@ -1,0 +1,56 @@
+import { DataTexture, FloatType, NearestFilter, RedFormat, RGBAFormat, UnsignedByteType } from "three";
+import { paletteBytes } from "../../colours/palettes.js";
+import { CELL_COLUMNS } from "../../geometry/texel.js";
+
+/**
+ * Colour of every cell as a position in a colour map, in a texture looked up by cell number: another metric is one upload
+ * here and no new geometry, another map is 1 KB.
+ */
+export class CellColours {
+  /** @type {DataTexture} */
+  values = oneTexel();
+  /** @type {DataTexture} */
+  palette;
+  #map = "parula";
+
+  constructor() {
+    this.palette = new DataTexture(paletteBytes(this.#map), 256, 1, RGBAFormat, UnsignedByteType);
+    this.palette.minFilter = this.palette.magFilter = NearestFilter;
+    this.palette.needsUpdate = true;
+  }
+
+  /** @param {Float32Array | null} positions (C,) in [0, 1]; NaN for a value that is not finite */
+  setPositions(positions) {
+    this.values.dispose();
+    if (!positions || positions.length === 0) {
+      this.values = oneTexel();
+      return;
+    }
+    const rows = Math.ceil(positions.length / CELL_COLUMNS);
+    const whole = new Float32Array(rows * CELL_COLUMNS);
+    // A shader may assume that no NaN exists; a negative position says the same and survives.
+    for (let k = 0; k < positions.length; k++) whole[k] = Number.isFinite(positions[k]) ? positions[k] : -1;
+    this.values = new DataTexture(whole, CELL_COLUMNS, rows, RedFormat, FloatType);
+    this.values.needsUpdate = true;
+  }
+
+  /** @param {string} map a row of the palettes, or "kind" */
+  setMap(map) {
+    if (map === this.#map) return;
+    this.#map = map;
+    /** @type {Uint8Array} */ (this.palette.image.data).set(paletteBytes(map));
+    this.palette.needsUpdate = true;
+  }
+
+  dispose() {
+    this.values.dispose();
+    this.palette.dispose();
+  }
+}
+
+/** @returns {DataTexture} */
+function oneTexel() {
+  const texture = new DataTexture(new Float32Array([-1]), 1, 1, RedFormat, FloatType);
+  texture.needsUpdate = true;
+  return texture;
+}

@@ -1,0 +1,144 @@
+import { Group } from "three";
+import { LinesLayer } from "./lines_layer.js";
+import { PaperLayer } from "./paper_layer.js";
+import { VALENCE_STYLES, valenceStyle } from "../../colours/valence.js";
+
+/**
+ * What each step of the slider draws: opacity of wires, barbs and paper, each tested against the model's depth and then seen
+ * through it.
+ */
+const STEPS = [
+  { wires: [0, 0], barbs: [0, 0], paper: [0, 0] },
+  { wires: [1, 0], barbs: [0, 0], paper: [0, 0] },
+  { wires: [1, 0.35], barbs: [0, 0], paper: [0, 0] },
+  { wires: [1, 0], barbs: [1, 0], paper: [0, 0] },
+  { wires: [1, 0.35], barbs: [1, 0.3], paper: [0, 0] },
+  { wires: [0, 0], barbs: [0, 0], paper: [1, 0] },
+  { wires: [0, 0], barbs: [0, 0], paper: [1, 0.3] },
+];
+
+const INK = VALENCE_STYLES.map(() => ({ colour: "#000000", ink: 1 }));
+
+/** @type {import("../types.js").Irregular} */
+const NOTHING = {
+  edges: new Float32Array(0),
+  valence: new Uint8Array(0),
+  boundary: new Uint8Array(0),
+  barbs: new Float32Array(0),
+  barb_valence: new Uint8Array(0),
+  barb_boundary: new Uint8Array(0),
+  paper: new Float32Array(0),
+  paper_valence: new Uint8Array(0),
+  paper_boundary: new Uint8Array(0),
+};
+
+/**
+ * The irregular edges in seven steps, from nothing to paper flaps seen through the mesh.
+ */
+export class IrregularLayer {
+  group = new Group();
+  #wires = pair((seeThrough) => new LinesLayer(styles("wire"), { seeThrough }));
+  #barbs = pair((seeThrough) => new LinesLayer(styles("barb"), { seeThrough }));
+  #folds = pair((seeThrough) => new LinesLayer(INK, { seeThrough }));
+  #paper = pair((seeThrough) => new PaperLayer({ seeThrough }));
+  #mode = 1;
+  #boundary = false;
+  /** @type {import("../types.js").Irregular | null} */
+  #irregular = null;
+
+  constructor() {
+    const layers = [this.#paper, this.#folds, this.#barbs, this.#wires];
+    for (const through of [1, 0]) for (const layer of layers) this.group.add(layer[through].mesh);
+    // Not pulled: ends that dive into the surface would show as dots.
+    for (const lines of [...this.#wires, ...this.#barbs, ...this.#folds]) lines.pull = 0;
+    for (const barb of this.#barbs) barb.width = 1;
+    for (const fold of this.#folds) fold.width = 1.5;
+  }
+
+  /** @param {import("../types.js").Irregular | null} irregular */
+  set(irregular) {
+    this.#irregular = irregular;
+    const rows = (/** @type {Uint8Array} */ boundary) =>
+      this.#boundary ? boundary.length : boundary.indexOf(1);
+    const part = (
+      /** @type {Float32Array} */ ends,
+      /** @type {Uint8Array} */ valence,
+      /** @type {number} */ count,
+    ) => {
+      const n = count < 0 ? valence.length : count; // those of the boundary stand last
+      return {
+        ends: ends.subarray(0, (ends.length / (valence.length || 1)) * n),
+        styles: valence.subarray(0, n).map(valenceStyle),
+      };
+    };
+    const {
+      edges,
+      valence,
+      boundary,
+      barbs,
+      barb_valence,
+      barb_boundary,
+      paper,
+      paper_valence,
+      paper_boundary,
+    } = irregular ?? NOTHING;
+    const wires = part(edges, valence, rows(boundary));
+    const thorns = part(barbs, barb_valence, rows(barb_boundary));
+    const flaps = part(paper, paper_valence, rows(paper_boundary));
+    for (const lines of [...this.#wires, ...this.#folds]) lines.set(wires.ends, wires.styles);
+    for (const lines of this.#barbs) lines.set(thorns.ends, thorns.styles);
+    for (const layer of this.#paper) layer.set(flaps.ends, flaps.styles);
+    this.#show();
+  }
+
+  /** @param {number} mode 0 to 6 @param {boolean} boundary draw irregular edges of the boundary too */
+  setMode(mode, boundary) {
+    this.#mode = Math.min(STEPS.length - 1, Math.max(0, Math.round(mode)));
+    if (boundary !== this.#boundary) {
+      this.#boundary = boundary;
+      this.set(this.#irregular);
+    }
+    this.#show();
+  }
+
+  #show() {
+    const step = STEPS[this.#mode];
+    // Thin between barbs, which a broad wire would swallow.
+    for (const wire of this.#wires) wire.width = step.barbs[0] > 0 ? 1.25 : 1.75;
+    for (const through of [0, 1]) {
+      show(this.#wires[through], step.wires[through]);
+      show(this.#barbs[through], step.barbs[through]);
+      show(this.#paper[through], step.paper[through]);
+      show(this.#folds[through], through ? step.paper[1] / 3 : step.paper[0]);
+    }
+  }
+
+  /** @param {Parameters<LinesLayer["view"]>[0]} view */
+  view(view) {
+    for (const lines of [...this.#wires, ...this.#barbs, ...this.#folds]) lines.view(view);
+  }
+
+  dispose() {
+    for (const layer of [...this.#wires, ...this.#barbs, ...this.#folds, ...this.#paper]) layer.dispose();
+  }
+}
+
+/**
+ * @template T
+ * @param {(seeThrough: boolean) => T} make
+ * @returns {[T, T]} tested against depth, and seen through
+ */
+function pair(make) {
+  return [make(false), make(true)];
+}
+
+/** @param {"wire" | "barb"} part */
+function styles(part) {
+  return VALENCE_STYLES.map((row) => ({ colour: row[part], ink: 1 }));
+}
+
+/** @param {LinesLayer | PaperLayer} layer @param {number} opacity */
+function show(layer, opacity) {
+  layer.mesh.visible = opacity > 0 && layer.count > 0;
+  layer.opacity = opacity;
+}

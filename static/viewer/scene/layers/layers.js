@@ -1,0 +1,154 @@
+import { CellColours } from "./cell_colours.js";
+import { Gizmo } from "../camera/gizmo.js";
+import { HighlightLayer } from "./highlight_layer.js";
+import { IrregularLayer } from "./irregular_layer.js";
+import { LinesLayer } from "./lines_layer.js";
+import { fading } from "./lines_shader.js";
+import { PlaneLayer } from "./plane_layer.js";
+import { release } from "./release.js";
+import { SilhouetteLayer } from "./silhouette_layer.js";
+import { SurfaceLayer } from "./surface_layer.js";
+
+/** Ink of a surface edge by the number of shown cells around it: darkness-coded edges. Row 0: all alike. */
+const EDGE_STYLES = [1, 0.3, 0.65, 1].map((ink) => ({ colour: "#000000", ink }));
+
+/** Ink of an edge in the mean, by separation mode. */
+const MEAN_INK = { lines: 1, darkness_coded_edges: EDGE_STYLES[2].ink, fissure: 0, rounded: 0 };
+
+const NO_EDGES = new Float32Array(0);
+
+/** Parts of the status that change how the layers look. */
+const LOOKS = /** @type {const} */ ([
+  "colour",
+  "separation",
+  "silhouette",
+  "irregular",
+  "lighting",
+  "background",
+]);
+
+/**
+ * All that is drawn, in the painter's four storeys, and how the status makes it look.
+ */
+export class Layers {
+  colours = new CellColours();
+  surface = new SurfaceLayer(this.colours);
+  edges = new LinesLayer(EDGE_STYLES, { fade: true });
+  silhouette = new SilhouetteLayer();
+  irregular = new IrregularLayer();
+  plane = new PlaneLayer();
+  highlight = new HighlightLayer();
+  gizmo = new Gizmo();
+  #painter;
+  /** @type {Map<string, string>} */
+  #looks = new Map();
+  /** Whether all cells are known to be valid at their corners, so that their faces look outward. */
+  outward = false;
+  /** Whether the lines are those of the present surface. */
+  #edged = false;
+
+  /** @param {import("../frame/painter.js").Painter} painter */
+  constructor(painter) {
+    this.#painter = painter;
+    painter.backdrop.add(this.silhouette.group);
+    painter.model.add(this.surface.mesh);
+    painter.ink.add(this.edges.mesh, this.irregular.group);
+    painter.overlay.add(this.plane.group, this.highlight.group);
+  }
+
+  /** @param {import("../types.js").Surface | null} surface */
+  setSurface(surface) {
+    this.surface.set(surface);
+    this.#edged = false;
+    this.highlight.set(surface, null);
+  }
+
+  /** @param {import("../types.js").Silhouette | null} silhouette */
+  setSilhouette(silhouette) {
+    this.silhouette.set(silhouette);
+    this.#painter.renewBackdrop();
+  }
+
+  /** @param {Float32Array | null} positions */
+  setCellColours(positions) {
+    this.colours.setPositions(positions);
+    this.surface.uniforms.cellValues.value = this.colours.values;
+  }
+
+  /**
+   * Takes on the looks that a status holds.
+   *
+   * @param {import("../types.js").SceneStatus} status
+   * @returns {boolean} whether any is new
+   */
+  look(status) {
+    let changed = false;
+    for (const part of LOOKS) {
+      const look = JSON.stringify(status[part]);
+      if (look === undefined || look === this.#looks.get(part)) continue;
+      this.#looks.set(part, look);
+      changed = true;
+    }
+    if (!changed) return false;
+    const { colour, separation, silhouette, irregular, background } = status;
+    if (background) this.#painter.background = background;
+    if (colour) {
+      this.surface.setColour(colour);
+      if (colour.by === "kind") this.colours.setMap("kind");
+      else if (colour.map) this.colours.setMap(colour.map);
+    }
+    if (separation?.line_opacity !== undefined) this.edges.opacity = separation.line_opacity;
+    if (separation?.line_width !== undefined) this.edges.width = separation.line_width;
+    if (silhouette !== undefined) {
+      this.silhouette.strength = silhouette;
+      this.#painter.renewBackdrop();
+    }
+    if (irregular) this.irregular.setMode(irregular.mode ?? 1, irregular.boundary ?? false);
+    return true;
+  }
+
+  /** Edges of the surface. @returns {number} */
+  get edgeCount() {
+    return (this.surface.surface?.edges?.length ?? 0) / 6;
+  }
+
+  /** @param {Parameters<LinesLayer["view"]>[0] & { draft: boolean, outside: boolean }} view outside: so stands the eye */
+  view(view) {
+    const { surface } = this.surface;
+    const edged = this.edgeCount > 0;
+    if (!view.draft && !this.#edged) {
+      this.edges.set(surface?.edges ?? NO_EDGES, surface?.edge_cells ?? null);
+      this.#edged = true;
+    }
+    this.edges.mesh.visible = edged && !view.draft;
+    this.surface.setDraft(view.draft, this.#draftInk(view));
+    this.surface.fronts = this.outward && view.outside;
+    this.silhouette.draft = view.draft;
+    for (const layer of [this.edges, this.irregular, this.plane, this.highlight]) layer.view(view);
+  }
+
+  /**
+   * Ink of all edges alike: as much as the lines have in the mean. A draft needs no lines to know where edges are.
+   *
+   * @param {{ pixel: number, pixelRatio: number }} view
+   */
+  #draftInk({ pixel, pixelRatio }) {
+    const { surface, edge } = this.surface;
+    const thinned = fading(edge / pixel);
+    const ink = MEAN_INK[surface?.mode ?? "fissure"];
+    return this.edges.opacity * ink * thinned * Math.min(1, this.edges.width * pixelRatio);
+  }
+
+  /** The context is lost: gives up what lay in it. */
+  forget() {
+    const { backdrop, model, ink, overlay } = this.#painter;
+    for (const root of [backdrop, model, ink, overlay, this.gizmo.scene]) release(root);
+    this.#painter.forget();
+  }
+
+  dispose() {
+    const { surface, edges, silhouette, irregular, plane, highlight, gizmo, colours } = this;
+    for (const layer of [surface, edges, silhouette, irregular, plane, highlight, gizmo, colours])
+      layer.dispose();
+  }
+}

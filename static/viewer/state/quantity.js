@@ -1,0 +1,58 @@
+import { metricOf } from "./tables.js";
+
+/**
+ * What the Quality panel looks at: a metric or one of the file's attributes, and its scale.
+ *
+ * @typedef {import("../widgets/bind.js").Context} Context
+ * @typedef {{ id: string, name: string, symbol: string, attribute: boolean, worstValue: number, bestValue: number,
+ *   best: string, acceptable: readonly [number | null, number | null] | null }} Source
+ */
+
+/** @param {Context} context @returns {Source} */
+export function qualitySource({ store, facts, tables }) {
+  const { by, metric, attribute } = store.status.colour;
+  const id = by === "attribute" && attribute ? attribute : metric;
+  const row = metricOf(tables, id);
+  const histogram = facts.get("histogram");
+  const statistics = facts.get("statistics")?.[id];
+  const known = histogram?.source === id ? histogram : null;
+  const low = known?.low ?? statistics?.min ?? 0;
+  const high = known?.high ?? statistics?.max ?? 1;
+  const best = row?.best ?? "low";
+  return {
+    id,
+    name: row?.name ?? attributeName(facts.get("summary"), id),
+    symbol: row?.symbol ?? "",
+    attribute: !row,
+    best,
+    bestValue: statistics?.best_value ?? (best === "low" ? low : high),
+    worstValue: statistics?.worst_value ?? (best === "low" ? high : low),
+    acceptable: row?.acceptable_range ?? null,
+  };
+}
+
+/** @param {any} summary @param {string} id */
+function attributeName(summary, id) {
+  return summary?.attributes?.find((/** @type {any} */ one) => one.id === id)?.name ?? id;
+}
+
+/** Metrics, then the file's attributes, for a combo box. @param {Context} context */
+export function sourceOptions({ facts, tables }) {
+  const metrics = tables.metrics.map(({ id, name }) => ({ value: id, name, group: "Quality" }));
+  const attributes = (facts.get("summary")?.attributes ?? []).map((/** @type {any} */ one) => ({
+    value: one.id,
+    name: one.name,
+    group: one.on === "cell" ? "Of cells" : "Of points",
+  }));
+  return attributes.length
+    ? [...metrics, ...attributes]
+    : metrics.map(({ value, name }) => ({ value, name }));
+}
+
+/** The partial status that makes a metric or attribute the one looked at. @param {string} id @param {Context} context */
+export function chooseSource(id, { store, tables }) {
+  const { by } = store.status.colour;
+  if (metricOf(tables, id))
+    return { colour: { metric: id, ...(by === "attribute" ? { by: "quality" } : {}), range: null } };
+  return { colour: { by: "attribute", attribute: id, range: null } };
+}

@@ -1,0 +1,49 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { PALETTES, paletteBytes, paletteColour } from "../../../static/viewer/colours/palettes.js";
+
+const hex = (map, t) =>
+  `#${paletteColour(map, t)
+    .map((c) =>
+      Math.round(255 * c)
+        .toString(16)
+        .padStart(2, "0"),
+    )
+    .join("")}`;
+
+test("Q5: the four maps begin with the best colour and end with the worst", () => {
+  assert.deepEqual([...PALETTES].sort(), ["jet", "parula", "red_blue", "viridis"]);
+  assert.deepEqual([hex("parula", 0), hex("parula", 1)], ["#352a87", "#f9fb0e"]);
+  assert.deepEqual([hex("jet", 0), hex("jet", 1)], ["#00007f", "#8d0000"]);
+  assert.deepEqual(
+    [hex("red_blue", 0), hex("red_blue", 0.5), hex("red_blue", 1)],
+    ["#0000ff", "#ffffff", "#ff0000"],
+  );
+  assert.deepEqual([hex("viridis", 0), hex("viridis", 1)], ["#440154", "#fde725"]);
+});
+
+test("Q5: parula and viridis grow lighter all the way, by the eye's measure", () => {
+  const lightness = ([r, g, b]) => {
+    const [x, y, z] = [r, g, b].map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
+    return 116 * Math.cbrt(0.2126 * x + 0.7152 * y + 0.0722 * z) - 16;
+  };
+  const last = { parula: -1, viridis: -1 };
+  for (let k = 0; k <= 64; k++) {
+    for (const map of ["parula", "viridis"]) {
+      const now = lightness(paletteColour(map, k / 64));
+      assert.ok(now > last[map] - 0.3, `${map} at ${k}/64`);
+      last[map] = now;
+    }
+  }
+});
+
+test("Q5: no map jumps between neighbouring entries; places outside are those at the ends", () => {
+  for (const map of PALETTES) {
+    const bytes = paletteBytes(map);
+    for (let k = 4; k < bytes.length; k++)
+      assert.ok(Math.abs(bytes[k] - bytes[k - 4]) <= 8, `${map} ${k >> 2}`);
+    assert.deepEqual(paletteColour(map, -1), paletteColour(map, 0));
+    assert.deepEqual(paletteColour(map, 2), paletteColour(map, 1));
+  }
+});
