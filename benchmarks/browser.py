@@ -10,7 +10,7 @@ from playwright.sync_api import Page
 
 from . import dragging
 from .clock import table
-from .grids import SIZES, grid_file
+from .grids import PICKED, SIZES, grid_file
 from .page import viewer
 
 ORIGINAL_OPEN = {"25k": 606, "216k": 1696, "1M": 7839}
@@ -26,6 +26,11 @@ SLICE = """async (offset) => {
     return [performance.now() - began, window.hexalab.timings().slice];
 }"""
 
+PICK = """async (count) => {
+    const hidden = Array.from({ length: count }, (_, cell) => cell);
+    await window.hexalab.setStatus({ filters: { picking: { hidden } } });
+}"""
+
 MODES = ("lines", "darkness_coded_edges", "fissure", "rounded")
 
 MODE = """async (mode) => {
@@ -39,11 +44,15 @@ def run(folder: Path) -> None:
     for name in SIZES:
         grid_file(name, ".mesh", folder)
     _start(folder)
-    rows, slices, surfaces = [], [], []
+    rows, slices, picked, surfaces = [], [], [], []
     for name in SIZES:
         with viewer(folder) as (page, address, errors):
             rows.append([name, *_open(page, f"{address}/bench/grid-{name}.mesh"), ORIGINAL_OPEN[name]])
             slices.append([name, *_slice(page)])
+            count = min(PICKED, page.evaluate("() => window.hexalab.summary().cells") // 2)
+            page.evaluate(PICK, count)
+            picked.append([name, f"{count:,}", *_slice(page)])
+            page.evaluate(PICK, 0)
             surfaces.append([name, *_modes(page)])
             if errors:
                 raise RuntimeError(f"the console reported {errors[0]}")
@@ -52,6 +61,11 @@ def run(folder: Path) -> None:
         "browser: 41 slices [ms]",
         ["mesh", "core, median", "core, worst", "to picture, median", "worst"],
         slices,
+    )
+    table(
+        "browser: the same with cells picked by hand [ms]",
+        ["mesh", "picked", "core, median", "core, worst", "to picture, median", "worst"],
+        picked,
     )
     table("browser: surface of the half cut, in the core, median of 5 [ms]", ["mesh", *MODES], surfaces)
     dragging.run(folder, "direct")

@@ -15,7 +15,7 @@ import numpy as np
 import hexalab
 from hexalab.filters.stack import FilterStack
 from hexalab.status import DEFAULTS, merge
-from hexalab.surface import MODES, Drawing, extract_surface
+from hexalab.surface import MODES, DrawnMesh, extract_surface
 
 Status = dict[str, Any]
 
@@ -98,7 +98,7 @@ def _two_planes() -> Status:
 
 
 def _band(keep: str, maximum: float) -> Status:
-    item = {"source": "scaled_jacobian", "keep": keep, "minimum": None, "maximum": maximum}
+    item = {"quantity": "scaled_jacobian", "keep": keep, "minimum": None, "maximum": maximum}
     return {"filters": {"quality": {"items": [item]}}}
 
 
@@ -112,7 +112,7 @@ class Native:
 
     def __init__(self, mesh: hexalab.Mesh) -> None:
         self.mesh = mesh
-        self._drawing = Drawing(mesh)
+        self._drawing = DrawnMesh(mesh)
         self._stack = FilterStack(mesh, self._quality)
         self._values: dict[str, Any] = {}
         self._status = DEFAULTS

@@ -17,10 +17,11 @@ from hexalab.quality.validity import certify
 from hexalab.session import Session
 
 from .clock import median_ms, table
-from .grids import SIZES, grid_file
+from .grids import PICKED, SIZES, grid_file
 
 STEPS = (
-    "faces", "edges", "depth", "scaled Jacobian", "all metrics", "validity", "filter", "slice", "fissure", "rounded",
+    "faces", "edges", "depth", "scaled Jacobian", "all metrics", "validity", "filter", "slice",
+    "slice, picked", "fissure", "rounded",
 )  # fmt: skip
 
 
@@ -53,17 +54,21 @@ def _read_vtk(path: Path) -> None:
     reader.Update()
 
 
-def _steps(mesh: hexalab.Mesh, session: Session) -> dict[str, Callable[[], Any]]:
+def _steps(path: Path, mesh: hexalab.Mesh, session: Session) -> dict[str, Callable[[], Any]]:
     """Name of a step to what does it, each on a mesh that knows nothing yet but what the step before made."""
 
     def fresh() -> hexalab.Mesh:
         return hexalab.Mesh(mesh.coordinates, mesh.corners, mesh.kinds)
 
-    stack = FilterStack(mesh, lambda source: hexalab.quality(mesh, source))
+    stack = FilterStack(mesh, lambda quantity: hexalab.quality(mesh, quantity))
     offsets = iter(np.tile(np.linspace(0.3, 0.7, 41), 50))
 
     def plane(offset: float) -> dict[str, Any]:
         return {"filters": {"planes": {"items": [{"enabled": True, "normal": [1, 0, 0], "offset": offset}]}}}
+
+    picked = Session()
+    picked.open(path.name, path.read_bytes())
+    picked.update({"filters": {"picking": {"hidden": list(range(min(PICKED, mesh.cell_count // 2)))}}})
 
     def separation(mode: str) -> Callable[[], Any]:
         def change() -> None:
@@ -81,6 +86,7 @@ def _steps(mesh: hexalab.Mesh, session: Session) -> dict[str, Callable[[], Any]]
         "validity": lambda: certify(mesh),
         "filter": lambda: stack.apply(plane(float(next(offsets)))["filters"]),
         "slice": lambda: session.update(plane(float(next(offsets)))),
+        "slice, picked": lambda: picked.update(plane(float(next(offsets)))),
         "fissure": separation("fissure"),
         "rounded": separation("rounded"),
     }
@@ -91,8 +97,8 @@ def _step_times(name: str, folder: Path) -> list[float]:
     mesh, session = hexalab.read(path), Session()
     session.open(path.name, path.read_bytes())
     session.update({})
-    runs = {"filter": 21, "slice": 21}
+    runs = {"filter": 21, "slice": 21, "slice, picked": 21}
     return [
         median_ms(step, runs.get(label, 1 if name == "1M" else 3))
-        for label, step in _steps(mesh, session).items()
+        for label, step in _steps(path, mesh, session).items()
     ]

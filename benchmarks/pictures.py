@@ -16,7 +16,7 @@ from pathlib import Path
 from PIL import Image
 
 from hexalab.hosts.rendering import Renderer
-from hexalab.picture import read_settings
+from hexalab.png_text import read_settings
 
 from .page import SITE
 

@@ -16,6 +16,7 @@ from __future__ import annotations
 import json
 import math
 import struct
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -31,15 +32,45 @@ DTYPES = (
 START = struct.Struct("<4sI")
 
 
-def pack(value: dict[str, Any]) -> bytes:
-    """Pack a dict of dicts, lists, numbers, texts and arrays.
+@dataclass(frozen=True)
+class Packed:
+    """A packed result whose arrays have not been copied yet.
+
+    Attributes
+    ----------
+    head : bytes
+        All that stands before the arrays.
+    arrays : list of (offset, array)
+        Contiguous, little-endian; offsets are counted from the head's end and grow.
+    size : int
+        Bytes of the whole.
+    """
+
+    head: bytes
+    arrays: list[tuple[int, NDArray[Any]]]
+    size: int
+
+    def joined(self) -> bytes:
+        """Return the whole as one block of bytes."""
+        out = bytearray(self.size)
+        out[: len(self.head)] = self.head
+        for offset, array in self.arrays:
+            start = len(self.head) + offset
+            out[start : start + array.nbytes] = array.reshape(-1).view(np.uint8).data
+        return bytes(out)
+
+
+def lay_out(value: dict[str, Any]) -> Packed:
+    """Make a dict of dicts, lists, numbers, texts and arrays ready to be packed.
+
+    A caller that can write to its receiver's memory copies each array straight to where it is wanted.
 
     Raises
     ------
     TypeError
         If an array's number type is none of `DTYPES` (or bool, which is packed as uint8).
     """
-    arrays: list[NDArray[Any]] = []
+    arrays: list[tuple[int, NDArray[Any]]] = []
     offset = 0
 
     def described(part: Any) -> Any:
@@ -47,7 +78,7 @@ def pack(value: dict[str, Any]) -> bytes:
         if isinstance(part, np.ndarray):
             array = _little_endian(part)
             reference = {"dtype": array.dtype.name, "shape": list(array.shape), "offset": offset}
-            arrays.append(array)
+            arrays.append((offset, array))
             offset += _aligned(array.nbytes)
             return reference
         if isinstance(part, dict):
@@ -59,10 +90,13 @@ def pack(value: dict[str, Any]) -> bytes:
     text = json.dumps(described(value), ensure_ascii=False, separators=(",", ":"), allow_nan=False)
     header = text.encode()
     header += b" " * (_aligned(START.size + len(header)) - START.size - len(header))
-    parts = [START.pack(MAGIC, len(header)), header]
-    for array in arrays:
-        parts += [array.tobytes(), bytes(_aligned(array.nbytes) - array.nbytes)]
-    return b"".join(parts)
+    head = START.pack(MAGIC, len(header)) + header
+    return Packed(head, arrays, len(head) + offset)
+
+
+def pack(value: dict[str, Any]) -> bytes:
+    """Pack a dict of dicts, lists, numbers, texts and arrays; errors as for `lay_out`."""
+    return lay_out(value).joined()
 
 
 def unpack(data: bytes | memoryview) -> dict[str, Any]:

@@ -62,7 +62,7 @@ class Measurer:
             session = Session()
             session.open(file.name, file.read_bytes())
             kept.parent.mkdir(parents=True, exist_ok=True)
-            kept.write_bytes(session.preview({}))
+            kept.write_bytes(session.preview())
         return kept.read_bytes()
 
     def _kept(self, sha256: str, what: str) -> Path:

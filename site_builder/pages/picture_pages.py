@@ -89,7 +89,7 @@ def _metric_row(metric: Any) -> dict[str, Any]:
         "full": interval(metric.full_range),
         "acceptable": interval(metric.acceptable_range) if metric.acceptable_range else NOT_KNOWN,
         "cube": cube,
-        "best": "high" if metric.direction == "high" else "low",
+        "better": metric.better,
         "unit": UNITS[metric.unit],
         "formula": formula(metric.formula),
     }

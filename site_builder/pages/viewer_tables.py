@@ -8,20 +8,26 @@ from typing import Any
 from hexalab import __version__
 from hexalab.formats import FORMATS
 from hexalab.quality import METRICS
-from hexalab.status import DEFAULTS
+from hexalab.session import DESCRIBED
+from hexalab.status import CORE_PATHS, DEFAULTS
 
 
 def viewer_tables() -> dict[str, Any]:
-    """Return version, status defaults, metrics and formats as JSON values; an open end of a range is None."""
+    """Return version, status defaults, metrics, formats and what else the core alone knows, as JSON values.
+
+    An open end of a range is None.
+    """
     return {
         "version": __version__,
         "defaults": DEFAULTS,
+        "core_paths": CORE_PATHS,
+        "described": DESCRIBED,
         "metrics": [
             {
                 "id": metric.id,
                 "name": metric.name,
                 "symbol": metric.symbol,
-                "best": metric.direction,
+                "better": metric.better,
                 "full_range": _ends(metric.full_range),
                 "acceptable_range": metric.acceptable_range and _ends(metric.acceptable_range),
             }

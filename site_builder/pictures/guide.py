@@ -16,7 +16,7 @@ CORNER = [
 ]  # fmt: skip
 """Cells of shapes/cube around the corner that is nearest to the eye."""
 
-WORST: Status = {"items": [{"source": "scaled_jacobian", "keep": "inside", "maximum": 0.8}]}
+WORST: Status = {"items": [{"quantity": "scaled_jacobian", "keep": "inside", "maximum": 0.8}]}
 
 FIGURES = {
     "window": Recipe(WIDE_RANGE, setting=ROUNDED | WHOLE, part="body"),

@@ -9,7 +9,9 @@ from .views import along, cut, three_quarter_view
 FEW, MANY = 1_600, 20_000
 """Cells up to which each is drawn with rounded edges, and from which on with thin lines."""
 
-BAD_CELLS: Status = {"quality": {"items": [{"source": "scaled_jacobian", "keep": "inside", "maximum": 0.3}]}}
+BAD_CELLS: Status = {
+    "quality": {"items": [{"quantity": "scaled_jacobian", "keep": "inside", "maximum": 0.3}]}
+}
 """Filters that leave what is inverted, or nearly."""
 
 JACOBIAN: Status = {"by": "quality", "metric": "scaled_jacobian", "map": "red_blue"}

@@ -1,6 +1,7 @@
 import { answerMessages, HexaLab } from "./app/api.js";
 import { App } from "./app/app.js";
 import { CoreClient } from "./core/client.js";
+import { WorkerTransport } from "./core/worker_transport.js";
 import { listenToClipboard } from "./input/clipboard.js";
 import { listenToDrops } from "./input/drop.js";
 import { listenToKeys } from "./input/keyboard.js";
@@ -18,10 +19,12 @@ const tables = readTables(document);
 const store = new StatusStore(tables.defaults);
 const facts = new Facts();
 const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById("canvas"));
-const client = new CoreClient({
-  worker: new URL(/** @type {string} */ (worker), document.baseURI),
-  runtime: new URL(/** @type {string} */ (runtime), document.baseURI),
-});
+const client = new CoreClient(
+  new WorkerTransport({
+    worker: new URL(/** @type {string} */ (worker), document.baseURI),
+    runtime: new URL(/** @type {string} */ (runtime), document.baseURI),
+  }),
+);
 const { scene, problem } = makeScene();
 const app = new App({ store, facts, client, scene, tables, root: /** @type {string} */ (root) });
 const page = new Page({ store, facts, app, tables }, canvas);

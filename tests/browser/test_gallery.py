@@ -15,7 +15,7 @@ from PIL import Image
 from playwright.sync_api import Page
 
 from benchmarks.page import SITE
-from hexalab.picture import read_settings
+from hexalab.png_text import read_settings
 from site_builder import BuildReport, build
 
 pytestmark = pytest.mark.browser

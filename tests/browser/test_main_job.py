@@ -54,7 +54,7 @@ def picture(page: Page, width: int = 320, height: int = 240) -> np.ndarray[Any, 
 def shown_natively(mesh: hexalab.Mesh, status: dict[str, Any]) -> tuple[int, int]:
     """Cells shown and faces between shown and hidden or outside, by brute force over the core's filters."""
     filters = {"planes": {"enabled": True, "rule": "barycentre", "items": []}} | status["filters"]
-    shown = FilterStack(mesh, lambda source: hexalab.quality(mesh, source)).apply(filters)
+    shown = FilterStack(mesh, lambda quantity: hexalab.quality(mesh, quantity)).apply(filters)
     seen: dict[tuple[int, ...], int] = {}
     for cell in mesh.cells[shown]:
         for face in ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)):

@@ -10,7 +10,7 @@ import pytest
 
 from benchmarks.page import SITE
 from hexalab import Mesh, cli, write
-from hexalab.picture import read_settings
+from hexalab.png_text import read_settings
 
 pytestmark = pytest.mark.browser
 

@@ -39,7 +39,7 @@ def mesh(opened: Page) -> Page:
 def natively(page: Page) -> int:
     """How many cells the core shows under the page's status."""
     filters: dict[str, Any] = merge(DEFAULTS, ui.status(page))["filters"]
-    stack = FilterStack(MESH, lambda source: hexalab.quality(MESH, source))
+    stack = FilterStack(MESH, lambda quantity: hexalab.quality(MESH, quantity))
     return int(np.count_nonzero(stack.apply(filters)))
 
 

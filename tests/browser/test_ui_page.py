@@ -47,7 +47,7 @@ def test_V8_axe_finds_nothing(mesh: Page, scheme: Any, size: tuple[int, int]) ->
     mesh.emulate_media(color_scheme=scheme, reduced_motion="reduce")
     mesh.set_viewport_size({"width": size[0], "height": size[1]})
     ui.unfold(mesh)
-    band = {"source": "scaled_jacobian", "keep": "inside", "minimum": 0.1, "maximum": 0.99}
+    band = {"quantity": "scaled_jacobian", "keep": "inside", "minimum": 0.1, "maximum": 0.99}
     ui.set_status(mesh, {"filters": {"quality": {"items": [band]}}, "colour": {"by": "quality"}})
     mesh.mouse.click(*ui.middle(mesh))
     ui.drop(mesh, ("broken.vtk", "nonsense"))

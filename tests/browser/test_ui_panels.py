@@ -105,7 +105,7 @@ def test_Q4_dragging_over_the_histogram_keeps_a_band_and_its_lines_can_be_moved(
     ui.until(lambda: mesh.locator(".histogram .bar").count() > 5)
     ui.drag(mesh, ".histogram", 0.5, 0.8)
     item = ui.status(mesh)["filters"]["quality"]["items"][0]
-    assert (item["keep"], item["source"]) == ("inside", "scaled_jacobian")
+    assert (item["keep"], item["quantity"]) == ("inside", "scaled_jacobian")
     low, high = item["minimum"], item["maximum"]
     inside = np.count_nonzero((low <= VALUES) & (high >= VALUES))
     assert ui.drawn(mesh)[0] == inside

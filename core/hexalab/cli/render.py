@@ -10,7 +10,7 @@ from typing import Any
 
 from .. import HexaLabError, read
 from ..hosts.rendering import Renderer
-from ..picture import SIGNATURE, read_settings
+from ..png_text import SIGNATURE, read_settings
 
 LARGEST_SIDE = 8192
 
@@ -60,8 +60,8 @@ def run(arguments: Namespace) -> int:
     with Renderer(arguments.site) as renderer:
         picture = renderer.render(arguments.file.name, arguments.file.read_bytes(), status, **size)
     arguments.out.write_bytes(picture.png)
-    for problem in picture.problems:
-        words = f"{problem['path']}: found {problem['found']}, expected {problem['expected']}"
+    for rejection in picture.rejections:
+        words = f"{rejection['path']}: found {rejection['found']}, expected {rejection['expected']}"
         print(f"hexalab: {arguments.status}: {words}", file=sys.stderr)
     print(f"{arguments.out}: {arguments.width} x {arguments.height} pixels, {len(picture.png):,} bytes")
     return 0

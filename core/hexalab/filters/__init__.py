@@ -5,23 +5,18 @@ peel, the regularisation of the two, quality, hand-picking.
 """
 
 from .peel import peel
-from .picking import NOTHING_PICKED, Picking, dig, isolate, pick, undig
-from .plane import plane, plane_from_view
+from .picking import PickedCells, pick
+from .plane import plane
 from .quality import band
 from .regularisation import Regulariser
 from .stack import FilterStack
 
 __all__ = [
-    "NOTHING_PICKED",
     "FilterStack",
-    "Picking",
+    "PickedCells",
     "Regulariser",
     "band",
-    "dig",
-    "isolate",
     "peel",
     "pick",
     "plane",
-    "plane_from_view",
-    "undig",
 ]

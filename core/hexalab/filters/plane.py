@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import cos, radians
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import CHUNK, Floats, Ids
-
-OPPOSITE = -cos(radians(20))
-"""A view whose cosine with the plane's normal is below this is opposite to it: the plane is inverted."""
 
 Vector = Sequence[float] | Floats
 
@@ -97,38 +93,3 @@ def _ends(along: Floats) -> tuple[float, float]:
         along = along[np.isfinite(along)]
         low, high = (along.min(), along.max()) if len(along) else (0, 0)
     return float(low), float(high)
-
-
-def plane_from_view(
-    direction: Vector, normal: Vector, offset: float, snap: bool = False
-) -> tuple[tuple[float, float, float], float]:
-    """Set the plane from the view: near cells go first, so that the cut faces the viewer.
-
-    Parameters
-    ----------
-    direction : (3,) float
-        View direction, away from the eye.
-    normal, offset : (3,) float, float
-        The present plane. If the view is within 20 degrees of opposite to its normal, the plane stays where
-        it is and is inverted exactly: what was hidden is shown.
-    snap : bool
-        Take the nearest signed axis instead of the view direction.
-
-    Returns
-    -------
-    normal, offset : (3,) tuple of float, float
-    """
-    view, present = _unit(direction), _unit(normal)
-    if view @ present < OPPOSITE:
-        x, y, z = (0.0 - float(part) for part in np.asarray(normal, dtype=np.float64))
-        return (x, y, z), 1 - offset
-    if snap:
-        axis = int(np.abs(view).argmax())
-        view = np.where(np.arange(3) == axis, np.sign(view[axis]), 0.0)
-    x, y, z = view.tolist()
-    return (x, y, z), offset
-
-
-def _unit(vector: Vector) -> Floats:
-    array = np.asarray(vector, dtype=np.float64)
-    return np.asarray(array / (np.sqrt((array * array).sum()) or 1.0))

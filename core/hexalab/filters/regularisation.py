@@ -1,7 +1,7 @@
 """Regularisation (SPEC F5; the paper, Filter regularization): cleans the cut that plane and peel make.
 
 The hidden set is dilated n times, then eroded n times. The interface is made of interior faces with exactly
-one visible side. Where the cut meets the original surface, the vertices of its rim lie on such faces and
+one shown side. Where the cut meets the original surface, the vertices of its rim lie on such faces and
 count; the surface's other vertices, and faces of the boundary, never do: a mesh does not wear away from
 outside.
 """

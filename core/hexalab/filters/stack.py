@@ -18,7 +18,7 @@ from ..arrays import Floats
 from ..mesh import Mesh
 from ..quality import METRICS
 from .peel import peel
-from .picking import pick
+from .picking import PickedCells, pick
 from .plane import Places, any_corner_places, barycentre_places, plane
 from .quality import Keep, band
 from .regularisation import STRONGEST, Regulariser
@@ -29,7 +29,7 @@ Planes = tuple[tuple[str, tuple[float, ...], float], ...]
 """Rule, normal and offset of each plane."""
 
 Bands = tuple[tuple[str, Keep, float | None, float | None], ...]
-"""Source, side that is kept, and both ends of each band."""
+"""Quantity, side that is kept, and both ends of each band."""
 
 NORMALS_KEPT = 32
 """As many as a status may have planes."""
@@ -45,11 +45,11 @@ class FilterStack:
     ----------
     mesh : Mesh
     values : callable, str to (C,) float64
-        Gives a metric's or an attribute's values by its id.
+        Gives the values of a quantity, a metric or an attribute, by its id.
 
     Examples
     --------
-    >>> stack = FilterStack(mesh, lambda source: quality(mesh, source))          # doctest: +SKIP
+    >>> stack = FilterStack(mesh, lambda id: quality(mesh, id))          # doctest: +SKIP
     >>> shown = stack.apply({"peel": {"depth": 1}})                              # doctest: +SKIP
     """
 
@@ -58,6 +58,7 @@ class FilterStack:
         self._values = values
         self._places: OrderedDict[Hashable, Places] = OrderedDict()
         self._masks: dict[str, tuple[Hashable, Hidden]] = {}
+        self._dug, self._undug = PickedCells(mesh.cell_count), PickedCells(mesh.cell_count)
 
     def apply(self, filters: Settings) -> Hidden:
         """Which cells are shown, (C,) bool, under the status document's section `filters`.
@@ -72,7 +73,7 @@ class FilterStack:
         if picking.get("enabled", True):
             isolated, dug, undug = (picking.get(name, ()) for name in ("isolated", "hidden", "shown"))
             if isolated or len(dug) or len(undug):
-                hidden = pick(hidden, bool(isolated), dug, undug)
+                hidden = pick(hidden, bool(isolated), self._dug.of(dug), self._undug.of(undug))
         return ~hidden
 
     def places(self, normal: Any, rule: str = "barycentre") -> Places:
@@ -121,9 +122,9 @@ class FilterStack:
     def _outside(self, bands: Bands) -> Hidden:
         """Cells that any of the bands does not keep."""
         hidden = np.zeros(self._mesh.cell_count, dtype=bool)
-        for source, keep, minimum, maximum in bands:
-            worst = METRICS[source].worst if source in METRICS else np.nan
-            hidden |= band(self._values(source), keep, minimum, maximum, worst)
+        for quantity, keep, minimum, maximum in bands:
+            worst = METRICS[quantity].worst if quantity in METRICS else np.nan
+            hidden |= band(self._values(quantity), keep, minimum, maximum, worst)
         return hidden
 
     def _kept(self, name: str, key: Any, make: Callable[[], Hidden]) -> Hidden:
@@ -154,7 +155,7 @@ def _bands(settings: Settings) -> Bands:
     if not settings.get("enabled", True):
         return ()
     rows = (
-        (item["source"], item.get("keep", "inside"), item.get("minimum"), item.get("maximum"))
+        (item["quantity"], item.get("keep", "inside"), item.get("minimum"), item.get("maximum"))
         for item in settings.get("items", ())
     )
     return tuple(row for row in rows if row[2] is not None or row[3] is not None)

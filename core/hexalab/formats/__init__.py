@@ -12,8 +12,8 @@ from typing import BinaryIO
 from ..errors import MeshReadError, MeshWriteError
 from ..mesh import Mesh
 from .container import unwrapped
+from .file import File
 from .registry import FORMATS, Format, choose
-from .source import Source
 
 __all__ = ["FORMATS", "Format", "left_behind", "read", "read_bytes", "write", "write_bytes"]
 
@@ -38,12 +38,12 @@ def read_bytes(data: bytes | bytearray | memoryview, name: str = "") -> Mesh:
     MeshReadError
         The bytes are no mesh that can be read; it names file, place, what was found and what was expected.
     """
-    source = unwrapped(Source(data if isinstance(data, bytes) else bytes(data), name))
+    file = unwrapped(File(data if isinstance(data, bytes) else bytes(data), name))
     del data
     try:
-        return choose(source).reader(source)
+        return choose(file).reader(file)
     except MemoryError:
-        raise source.error("there is not enough memory for this mesh") from None
+        raise file.error("there is not enough memory for this mesh") from None
 
 
 def read(file: str | os.PathLike[str] | BinaryIO) -> Mesh:

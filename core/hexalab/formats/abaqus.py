@@ -16,8 +16,8 @@ from ..cells import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
 from ..errors import MeshReadError
 from ..mesh import Mesh
 from .assembly import WEDGE_OF_OTHERS, Assembly, CellBlock, check_finite
+from .file import File
 from .ids import Numbering, whole_tags
-from .source import Source
 from .text import Text
 
 KEYWORD = re.compile(rb"\*[^\r\n]*(?:(?<=,)[ \t]*\r?\n[ \t]*[A-Za-z][^\r\n]*)*")
@@ -60,20 +60,20 @@ class Part:
     elements: list[tuple[int, Array, Array, int]] = field(default_factory=list)
 
 
-def read(source: Source) -> Mesh:
+def read(file: File) -> Mesh:
     """Read the bytes of an `.inp` file; raises MeshReadError."""
-    return Reader(source).read()
+    return Reader(file).read()
 
 
 class Reader:
     """One pass from keyword line to keyword line."""
 
-    def __init__(self, source: Source) -> None:
-        plain = Text(source, comment=b"**")
+    def __init__(self, file: File) -> None:
+        plain = Text(file, comment=b"**")
         self.keywords = plain.data
-        self.text = Text(source)
+        self.text = Text(file)
         self.text.data = plain.data.translate(COMMAS)
-        self.out = Assembly(source, "inp")
+        self.out = Assembly(file, "inp")
         self.part = Part()
         self.parts = [self.part]
 

@@ -12,8 +12,8 @@ from ..arrays import Array, Floats, Ids
 from ..cells import COLLAPSE, HEXAHEDRON, KINDS
 from ..errors import MeshReadError
 from ..mesh import Mesh
+from .file import File
 from .ids import LARGEST_ID
-from .source import Source
 
 WEDGE_OF_OTHERS = (0, 2, 1, 3, 5, 4)
 """VTK's wedge from the corners of Medit, Gmsh and Abaqus, whose triangle 0 1 2 is seen from the other
@@ -52,13 +52,13 @@ class Assembly:
 
     Parameters
     ----------
-    source : Source
+    file : File
         The file.
     format_id : str
         Row of the registry.
     """
 
-    source: Source
+    file: File
     format_id: str
     coordinates: Floats | None = None
     blocks: list[CellBlock] = field(default_factory=list)
@@ -95,13 +95,13 @@ class Assembly:
             No vertices, no cells, a vertex id out of range.
         """
         if self.coordinates is None:
-            raise self.source.error("no vertices were found, so there is no mesh to show")
+            raise self.file.error("no vertices were found, so there is no mesh to show")
         vertex_count = self.coordinates.shape[1]
         if vertex_count > LARGEST_ID:
-            raise self.source.error(f"{vertex_count} vertices are more than 2,147,483,646")
+            raise self.file.error(f"{vertex_count} vertices are more than 2,147,483,646")
         blocks = [block for block in self.blocks if block.corners.shape[1]]
         if not blocks:
-            raise self.source.error(self.nothing_to_show())
+            raise self.file.error(self.nothing_to_show())
         for block in blocks:
             check_ids(block, vertex_count)
         if self.left_out:
@@ -114,7 +114,7 @@ class Assembly:
             kinds,
             point_data=fitting(self.point_data, vertex_count),
             cell_data=fitting(self.cell_data, len(kinds)),
-            name=self.source.name,
+            name=self.file.name,
             format=self.format_id,
             notes=self.notes,
         )

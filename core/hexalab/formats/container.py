@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import zlib
 
-from .source import Source
+from .file import File
 
 GZIP = b"\x1f\x8b"
 LARGEST = 2 * 2**30
@@ -42,24 +42,24 @@ NO_MESHES = (
 """First bytes of files that are no meshes, and what they are."""
 
 
-def unwrapped(source: Source) -> Source:
-    """The source itself, inflated if it is gzipped.
+def unwrapped(file: File) -> File:
+    """The file itself, inflated if it is gzipped.
 
     Raises
     ------
     MeshReadError
         Empty, a broken or oversized gzip stream, or a known kind of file that is no mesh.
     """
-    if source.data.startswith(GZIP):
-        source = Source(inflated(source), source.name)
-    if not CONTENT.search(source.data):
-        raise source.error("the file is empty, expected a mesh")
+    if file.data.startswith(GZIP):
+        file = File(inflated(file), file.name)
+    if not CONTENT.search(file.data):
+        raise file.error("the file is empty, expected a mesh")
     for magic, what in NO_MESHES:
-        if source.data.startswith(magic):
-            raise source.error(f"the file is {what}, expected a mesh")
-    if source.data.startswith(GZIP):
-        raise source.error("the file is gzipped twice, expected a mesh in it")
-    return source
+        if file.data.startswith(magic):
+            raise file.error(f"the file is {what}, expected a mesh")
+    if file.data.startswith(GZIP):
+        raise file.error("the file is gzipped twice, expected a mesh in it")
+    return file
 
 
 def inflation_bound(size: int) -> int:
@@ -67,9 +67,9 @@ def inflation_bound(size: int) -> int:
     return min(LARGEST, max(ALWAYS_FINE, RATIO * size))
 
 
-def inflated(source: Source) -> bytes:
+def inflated(file: File) -> bytes:
     """The content of a gzip stream of one or more members, bounded."""
-    data = source.data
+    data = file.data
     bound = inflation_bound(len(data))
     out: list[bytes] = []
     size = position = 0
@@ -82,15 +82,15 @@ def inflated(source: Source) -> bytes:
             except zlib.error as error:
                 if position and not feed.startswith(GZIP):
                     return b"".join(out)
-                raise source.error(f"the gzip stream is damaged ({error})", offset=position) from None
+                raise file.error(f"the gzip stream is damaged ({error})", offset=position) from None
             feed = stream.unconsumed_tail
             size += len(part)
             out.append(part)
             if size > bound:
-                raise source.error(
+                raise file.error(
                     f"the gzip stream of {len(data)} bytes inflates to more than {bound // 2**20} MB: refused"
                 )
             if not part and not feed and not stream.eof:
-                raise source.error("the gzip stream is cut short", offset=len(data))
+                raise file.error("the gzip stream is cut short", offset=len(data))
         position = len(data) - len(stream.unused_data)
     return b"".join(out)

@@ -12,30 +12,30 @@ from ..arrays import Array
 from ..errors import MeshReadError
 from ..mesh import Mesh
 from .assembly import Assembly, CellBlock, check_finite, free_name
+from .file import File
 from .gmsh2 import Gmsh2
 from .gmsh4 import Gmsh4
 from .gmsh_data import read_data
 from .gmsh_numbers import Numbers
 from .gmsh_parts import Elements, Nodes
 from .ids import Numbering
-from .source import Source
-from .tokens import shown
+from .tokens import quoted
 
 
-def read(source: Source) -> Mesh:
+def read(file: File) -> Mesh:
     """Read the bytes of a `.msh` file; raises MeshReadError."""
-    return Reader(source).read()
+    return Reader(file).read()
 
 
 class Reader:
     """One pass over the sections."""
 
-    def __init__(self, source: Source) -> None:
-        self.numbers = Numbers(source)
-        self.out = Assembly(source, "msh")
+    def __init__(self, file: File) -> None:
+        self.numbers = Numbers(file)
+        self.out = Assembly(file, "msh")
         version = self.numbers.version
         if version not in ("2", "2.0", "2.1", "2.2", "4.1"):
-            raise self.numbers.error(f"the file has version {shown(version.encode())}, expected 2.2 or 4.1")
+            raise self.numbers.error(f"the file has version {quoted(version.encode())}, expected 2.2 or 4.1")
         self.version: Gmsh2 | Gmsh4 = Gmsh2(self.numbers) if version.startswith("2") else Gmsh4(self.numbers)
         self.nodes: Nodes | None = None
         self.elements: list[Elements] = []
@@ -46,7 +46,7 @@ class Reader:
         while word := text.word():
             if not word.startswith(b"$"):
                 raise self.numbers.error(
-                    f"{shown(word)} stands where a section such as $Nodes was expected",
+                    f"{quoted(word)} stands where a section such as $Nodes was expected",
                     text.position - len(word),
                 )
             self.section(word)
@@ -81,7 +81,7 @@ class Reader:
         end_word = text.word()
         if end_word != b"$End" + word[1:]:
             raise self.numbers.error(
-                f"{shown(end_word)} stands where $End{word[1:40].decode('latin-1')} was expected",
+                f"{quoted(end_word)} stands where $End{word[1:40].decode('latin-1')} was expected",
                 text.position - len(end_word),
             )
 

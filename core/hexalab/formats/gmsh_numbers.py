@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from ..errors import MeshReadError
 from .byte_order import native
-from .source import Source
+from .file import File
 from .text import Text
-from .tokens import shown
+from .tokens import quoted
 
 
 class Numbers:
@@ -19,7 +19,7 @@ class Numbers:
 
     Parameters
     ----------
-    source : Source
+    file : File
         The file; its section $MeshFormat is read at once.
 
     Attributes
@@ -30,11 +30,11 @@ class Numbers:
         As the file says, "2.2" or "4.1" among others.
     """
 
-    def __init__(self, source: Source) -> None:
-        self.text = text = Text(source)
+    def __init__(self, file: File) -> None:
+        self.text = text = Text(file)
         start = text.data.find(b"$MeshFormat")
         if start < 0:
-            raise source.error(
+            raise file.error(
                 "the file has no section $MeshFormat, expected Gmsh's .msh 2.2 or 4.1", line_at=0
             )
         text.position = start + len("$MeshFormat")
@@ -52,14 +52,14 @@ class Numbers:
             text.line()
             mark = text.data[text.position : text.position + 4]
             if mark not in (b"\1\0\0\0", b"\0\0\0\1"):
-                raise source.error(
+                raise file.error(
                     "expected the number 1 as 4 bytes after the format's line", offset=text.position
                 )
             self.order = "<" if mark == b"\1\0\0\0" else ">"
             text.position += 4
         end = text.word()
         if end != b"$EndMeshFormat":
-            raise text.error(f"{shown(end)} stands where $EndMeshFormat was expected")
+            raise text.error(f"{quoted(end)} stands where $EndMeshFormat was expected")
 
     def begin(self) -> None:
         """Go to a section's numbers, from behind its name."""
@@ -109,5 +109,5 @@ class Numbers:
         """The error at a place, by line or by byte."""
         offset = self.text.position if offset is None else offset
         if self.binary:
-            return self.text.source.error(message, offset=offset)
+            return self.text.file.error(message, offset=offset)
         return self.text.error(message, offset)

@@ -16,27 +16,27 @@ from ..arrays import Array, Ids
 from ..errors import MeshReadError
 from ..mesh import Mesh
 from .assembly import Assembly, CellBlock, check_finite
+from .file import File
 from .ids import within_int32
 from .medit_keywords import CELLS, ORDERS, SKIPPED, SURFACE
-from .source import Source
 from .text import Interrupted, Text
-from .tokens import NUMBER, shown
+from .tokens import NUMBER, quoted
 
 NEXT_KEYWORD = re.compile(rb"(?<!\S)[A-Za-z]\S*")
 REFERENCE = "reference"
 
 
-def read(source: Source) -> Mesh:
+def read(file: File) -> Mesh:
     """Read the bytes of a `.mesh` file; raises MeshReadError."""
-    return Reader(source).read()
+    return Reader(file).read()
 
 
 class Reader:
     """One pass over the file, section by section."""
 
-    def __init__(self, source: Source) -> None:
-        self.text = Text(source, comment=b"#")
-        self.out = Assembly(source, "mesh")
+    def __init__(self, file: File) -> None:
+        self.text = Text(file, comment=b"#")
+        self.out = Assembly(file, "mesh")
         self.point_references: Array | None = None
         self.cell_references: list[Array] = []
 
@@ -72,7 +72,7 @@ class Reader:
             self.cells(keyword)
         elif NUMBER.fullmatch(word):
             raise text.error(
-                f"{shown(word)} stands where a keyword was expected: the section before has more numbers "
+                f"{quoted(word)} stands where a keyword was expected: the section before has more numbers "
                 "than it announces",
                 text.position - len(word),
             )
@@ -80,7 +80,7 @@ class Reader:
             if keyword in SURFACE:
                 self.out.leave_out(SURFACE[keyword], text.count(SURFACE[keyword]))
             elif keyword not in SKIPPED:
-                self.out.note(f"The section {shown(word)} is not of the format and was skipped.")
+                self.out.note(f"The section {quoted(word)} is not of the format and was skipped.")
             self.skip()
 
     def skip(self) -> None:

@@ -17,10 +17,10 @@ from ..errors import MeshReadError
 from ..mesh import Mesh
 from .assembly import Assembly, CellBlock, check_finite
 from .byte_order import as_coordinates
+from .file import File
 from .ids import within_int32
 from .medit import REFERENCE, whole_references
 from .medit_keywords import ORDERS
-from .source import Source
 
 DIMENSION, VERTICES, END = 3, 4, 54
 
@@ -40,27 +40,27 @@ SURFACE = {6: "triangles", 7: "quadrilaterals"}
 MOST_SECTIONS = 100_000
 
 
-def read(source: Source) -> Mesh:
+def read(file: File) -> Mesh:
     """Read the bytes of a `.meshb` file; raises MeshReadError."""
-    return Reader(source).read()
+    return Reader(file).read()
 
 
 class Reader:
     """Goes from section to section."""
 
-    def __init__(self, source: Source) -> None:
-        self.source = source
+    def __init__(self, file: File) -> None:
+        self.file = file
         self.position = 0
-        self.out = Assembly(source, "meshb")
+        self.out = Assembly(file, "meshb")
         self.references: list[Array] = []
-        mark = source.data[:4]
+        mark = file.data[:4]
         if mark not in (b"\1\0\0\0", b"\0\0\0\1"):
-            raise source.error("expected the number 1 in the first 4 bytes", offset=0)
+            raise file.error("expected the number 1 in the first 4 bytes", offset=0)
         self.order = "<" if mark == b"\1\0\0\0" else ">"
         self.position = 4
         self.version = self.integer("i4", "the version")
         if not 1 <= self.version <= 4:
-            raise source.error(f"the file has version {self.version}, expected 1 to 4", offset=4)
+            raise file.error(f"the file has version {self.version}, expected 1 to 4", offset=4)
         self.real = "f4" if self.version == 1 else "f8"
         self.whole = "i8" if self.version == 4 else "i4"
         self.place = "i8" if self.version >= 3 else "i4"
@@ -68,7 +68,7 @@ class Reader:
     def read(self) -> Mesh:
         ended = False
         for _ in range(MOST_SECTIONS):
-            if self.position + 4 > len(self.source.data):
+            if self.position + 4 > len(self.file.data):
                 break
             begin = self.position
             section = self.integer("i4", "a section's number")
@@ -76,10 +76,10 @@ class Reader:
                 ended = True
                 break
             following = self.integer(self.place, "a section's end")
-            if following and not begin + 4 + int(self.place[1]) <= following <= len(self.source.data):
+            if following and not begin + 4 + int(self.place[1]) <= following <= len(self.file.data):
                 raise self.error(
                     f"section {section} says that the next begins at byte {following}, expected one behind it "
-                    f"in the file's {len(self.source.data)} bytes",
+                    f"in the file's {len(self.file.data)} bytes",
                     begin,
                 )
             self.section(section)
@@ -94,14 +94,14 @@ class Reader:
         return self.out.mesh()
 
     def error(self, message: str, offset: int | None = None) -> MeshReadError:
-        return self.source.error(message, offset=self.position if offset is None else offset)
+        return self.file.error(message, offset=self.position if offset is None else offset)
 
     def take(self, dtype: np.dtype[Any], count: int, what: str) -> NDArray[Any]:
         """So many entries from the present position."""
-        left = len(self.source.data) - self.position
+        left = len(self.file.data) - self.position
         if count < 0 or count * dtype.itemsize > left:
             raise self.error(f"{count} {what} are announced, {dtype.itemsize} bytes each, with {left} left")
-        values = np.frombuffer(self.source.data, dtype, count, self.position)
+        values = np.frombuffer(self.file.data, dtype, count, self.position)
         self.position += count * dtype.itemsize
         return values
 

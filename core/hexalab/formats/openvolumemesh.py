@@ -16,12 +16,12 @@ from ..cells import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
 from ..errors import MeshReadError
 from ..mesh import Mesh
 from .assembly import Assembly, CellBlock, check_finite, free_name
+from .file import File
 from .half_faces import rebuilt
 from .ids import within_int32
 from .row_chain import COUNTED, row_starts
-from .source import Source
 from .text import Text
-from .tokens import shown
+from .tokens import quoted
 
 COMPONENTS = dict.fromkeys(
     ("float", "double", "int", "uint", "unsigned_int", "short", "long", "bool", "char", "uchar"), 1
@@ -37,22 +37,22 @@ SHAPES = (
 """Kind, number of faces, how many of them have so many corners."""
 
 
-def read(source: Source) -> Mesh:
+def read(file: File) -> Mesh:
     """Read the bytes of an `.ovm` file; raises MeshReadError."""
-    return Reader(source).read()
+    return Reader(file).read()
 
 
 class Reader:
     """One pass over the sections."""
 
-    def __init__(self, source: Source) -> None:
-        self.text = text = Text(source, comment=b"#")
-        self.out = Assembly(source, "ovm")
+    def __init__(self, file: File) -> None:
+        self.text = text = Text(file, comment=b"#")
+        self.out = Assembly(file, "ovm")
         if text.word().upper() != b"OVM":
             raise text.error("expected OVM ASCII on the first line", 0)
         form = text.word()
         if form.upper() != b"ASCII":
-            raise text.error(f"the file is in the form {shown(form)}, expected ASCII")
+            raise text.error(f"the file is in the form {quoted(form)}, expected ASCII")
 
     def read(self) -> Mesh:
         text = self.text
@@ -82,7 +82,7 @@ class Reader:
         start = self.text.word_offset()
         word = self.text.word()
         if word.lower() != keyword.lower():
-            raise self.text.error(f"{shown(word)} stands where {keyword.decode()} was expected", start)
+            raise self.text.error(f"{quoted(word)} stands where {keyword.decode()} was expected", start)
 
     def ids(self, count: int, what: str) -> tuple[NDArray[np.int32], Any]:
         start = self.text.position
@@ -161,7 +161,7 @@ class Reader:
                 continue
             name = words[1].strip().strip(b'"').decode("utf-8", "replace")
             count = vertex_count if on == "vprop" else cell_count
-            values = text.numbers(count * width, np.float64, f"the property {shown(words[1])}").reshape(
+            values = text.numbers(count * width, np.float64, f"the property {quoted(words[1])}").reshape(
                 count, width
             )
             arrays = self.out.point_data if on == "vprop" else self.out.cell_data

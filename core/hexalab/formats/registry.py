@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from ..mesh import Mesh
 from . import abaqus, gmsh, medit, meditb, openvolumemesh, vtk_legacy, vtu, write_medit, write_vtk, write_vtu
-from .source import Source
+from .file import File
 
 HEAD = 8192
 """Bytes from the file's start that the content is judged by."""
@@ -32,7 +32,7 @@ class Format:
     recognise : pattern
         What the first bytes of such a file match.
     reader : callable
-        Source in, Mesh out; raises MeshReadError.
+        File in, Mesh out; raises MeshReadError.
     writer : callable or None
         Mesh in, bytes out.
     keeps : tuple of str or None
@@ -43,7 +43,7 @@ class Format:
     name: str
     extensions: tuple[str, ...]
     recognise: re.Pattern[bytes]
-    reader: Callable[[Source], Mesh]
+    reader: Callable[[File], Mesh]
     writer: Callable[[Mesh], bytes] | None = None
     keeps: tuple[str, ...] | None = None
 
@@ -93,7 +93,7 @@ FORMATS: tuple[Format, ...] = (
 )
 
 
-def choose(source: Source) -> Format:
+def choose(file: File) -> Format:
     """The format of a file: by its content, else by its name's ending.
 
     Raises
@@ -101,13 +101,13 @@ def choose(source: Source) -> Format:
     MeshReadError
         Neither tells.
     """
-    head = source.data[:HEAD]
+    head = file.data[:HEAD]
     for row in FORMATS:
         if row.recognise.match(head):
             return row
-    name = source.name.lower().removesuffix(".gz")
+    name = file.name.lower().removesuffix(".gz")
     for row in FORMATS:
         if name.endswith(row.extensions):
             return row
     known = ", ".join(extension for row in FORMATS for extension in row.extensions)
-    raise source.error(f"neither the content nor the name tells of a known format, expected one of {known}")
+    raise file.error(f"neither the content nor the name tells of a known format, expected one of {known}")

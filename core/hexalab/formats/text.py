@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from ..errors import MeshReadError
+from .file import File
 from .ids import within_int32
-from .source import Source
 from .tokens import (
     FORTRAN_EXPONENT,
     INTEGER,
@@ -24,7 +24,7 @@ from .tokens import (
     is_number,
     parse,
     piece_end,
-    shown,
+    quoted,
     token_starts,
     word_span,
 )
@@ -48,26 +48,26 @@ class Interrupted(MeshReadError):
 
 
 class Text:
-    """Reads a text source from front to back.
+    """Reads a text file from front to back.
 
     Parameters
     ----------
-    source : Source
+    file : File
         The file; a byte order mark at its start is skipped.
     comment : bytes
         What opens a comment that runs to the end of the line; comments count as white space.
     """
 
-    def __init__(self, source: Source, comment: bytes = b"") -> None:
-        self.source = source
-        self.data = source.data
+    def __init__(self, file: File, comment: bytes = b"") -> None:
+        self.file = file
+        self.data = file.data
         if comment and comment in self.data:
             self.data = re.sub(re.escape(comment) + rb"[^\r\n]*", lambda m: b" " * len(m[0]), self.data)
         self.position = 3 if self.data.startswith(b"\xef\xbb\xbf") else 0
 
     def error(self, message: str, offset: int | None = None) -> MeshReadError:
         """The error for what stands at the byte offset (default: the present position)."""
-        return self.source.error(message, line_at=self.position if offset is None else offset)
+        return self.file.error(message, line_at=self.position if offset is None else offset)
 
     def peek(self) -> bytes:
         """The next word, empty at the end of the file."""
@@ -101,7 +101,7 @@ class Text:
         start = self.word_offset()
         word = self.word()
         if not INTEGER.fullmatch(word) or len(word) > 20:
-            raise self.error(f"{shown(word)} stands where {what} was expected, a whole number", start)
+            raise self.error(f"{quoted(word)} stands where {what} was expected, a whole number", start)
         return int(word)
 
     def count(self, what: str, least_numbers: int = 1) -> int:
@@ -241,7 +241,7 @@ class Text:
         for token in WORD.finditer(piece):
             if not is_number(token[0], dtype):
                 kind = "a number" if dtype == np.float64 else "a whole number"
-                message = f"{shown(token[0])} stands where {kind} was expected, in {what}"
+                message = f"{quoted(token[0])} stands where {kind} was expected, in {what}"
                 if count >= 0:
                     message += f", which should be {count} numbers: this is number {found + 1}"
                 return Interrupted(self.error(message, self.position + token.start()), found)

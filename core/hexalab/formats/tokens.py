@@ -69,7 +69,7 @@ def is_number(word: bytes, dtype: DTypeLike) -> bool:
     return bool(INTEGER.fullmatch(word))
 
 
-def shown(word: bytes | str) -> str:
+def quoted(word: bytes | str) -> str:
     """A word of the file as an error message shows it: short, printable, in quotes."""
     if not word:
         return "the end of the file"

@@ -11,7 +11,7 @@ from ..arrays import Array
 from .assembly import Assembly, free_name
 from .byte_order import native
 from .text import Text
-from .tokens import INTEGER, shown
+from .tokens import INTEGER, quoted
 from .vtk_values import Values, decoded
 
 COMPONENTS = {
@@ -121,8 +121,8 @@ class Attributes:
                 text.word()
                 self.skip_metadata()
             name = text.word()
-            width = self.width(text.integer(f"the number of components of {shown(name)}"))
-            tuples = text.integer(f"the number of entries of {shown(name)}")
+            width = self.width(text.integer(f"the number of components of {quoted(name)}"))
+            tuples = text.integer(f"the number of entries of {quoted(name)}")
             self.array(decoded(name), tuples, width, self.values.number_type(text.word()))
 
     def array(
@@ -130,13 +130,13 @@ class Attributes:
     ) -> None:
         """Read one array and keep it, if it belongs to points or cells."""
         if tuples < 0:
-            raise self.text.error(f"the array {shown(name.encode())} announces {tuples} entries")
+            raise self.text.error(f"the array {quoted(name.encode())} announces {tuples} entries")
         if code == "string":
             self.values.skip_strings(tuples * width)
             return
         if not begun:
             self.values.begin()
-        values, _ = self.values.take(tuples * width, code, f"the array {shown(name.encode())}")
+        values, _ = self.values.take(tuples * width, code, f"the array {quoted(name.encode())}")
         if keep and self.target is not None:
             self.target[free_name(self.target, name)] = native(values).reshape(tuples, width)
 
@@ -161,7 +161,7 @@ class Attributes:
             for name, values in arrays.items():
                 if len(values) != count:
                     self.out.note(
-                        f"The array {shown(name)} has {len(values)} entries for {count} {what}: left out."
+                        f"The array {quoted(name)} has {len(values)} entries for {count} {what}: left out."
                     )
         self.out.point_data = self.point_data
         self.out.cell_data = {

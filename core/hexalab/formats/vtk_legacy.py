@@ -16,10 +16,10 @@ from ..arrays import Array
 from ..mesh import Mesh
 from .assembly import Assembly, check_finite
 from .byte_order import as_coordinates
+from .file import File
 from .row_chain import COUNTED, ErrorAt, row_starts
-from .source import Source
 from .text import Text
-from .tokens import NUMBER, shown
+from .tokens import NUMBER, quoted
 from .vtk_attributes import SECTIONS, Attributes
 from .vtk_cells import Rows, add_cells, spans
 from .vtk_values import Values
@@ -36,17 +36,17 @@ SURFACES = {
 }
 
 
-def read(source: Source) -> Mesh:
+def read(file: File) -> Mesh:
     """Read the bytes of a `.vtk` file; raises MeshReadError."""
-    return Reader(source).read()
+    return Reader(file).read()
 
 
 class Reader:
     """One pass over the file, section by section."""
 
-    def __init__(self, source: Source) -> None:
-        self.text = Text(source)
-        self.out = Assembly(source, "vtk")
+    def __init__(self, file: File) -> None:
+        self.text = Text(file)
+        self.out = Assembly(file, "vtk")
         self.values = Values(self.text, self.header())
         self.attributes = Attributes(self.text, self.values, self.out)
         self.cells: tuple[Array, Array | range, Array, ErrorAt] | None = None
@@ -66,7 +66,7 @@ class Reader:
             if line.upper() in (b"ASCII", b"BINARY") and text.peek().upper() == b"DATASET":
                 return line.upper() == b"BINARY"
         raise text.error(
-            f"expected a title, then ASCII or BINARY, then DATASET; found {shown(b' '.join(lines).strip())}"
+            f"expected a title, then ASCII or BINARY, then DATASET; found {quoted(b' '.join(lines).strip())}"
         )
 
     def read(self) -> Mesh:
@@ -86,11 +86,11 @@ class Reader:
                 self.attributes.section(keyword)
             elif self.cells is None or NUMBER.fullmatch(word):
                 raise text.error(
-                    f"{shown(word)} stands where a section was expected, such as POINTS or CELLS", start
+                    f"{quoted(word)} stands where a section was expected, such as POINTS or CELLS", start
                 )
             else:
-                line = text.source.line_number(start)
-                self.out.note(f"Reading stopped at line {line}, which is not of the format: {shown(word)}.")
+                line = text.file.line_number(start)
+                self.out.note(f"Reading stopped at line {line}, which is not of the format: {quoted(word)}.")
                 break
         return self.finish()
 
@@ -113,7 +113,7 @@ class Reader:
         name = word.decode("latin-1").lower()
         if name != "unstructured_grid":
             what = f" ({SURFACES[name]})" if name in SURFACES else ""
-            raise self.text.error(f"the file holds {shown(word)}{what}, {VOLUMES}")
+            raise self.text.error(f"the file holds {quoted(word)}{what}, {VOLUMES}")
 
     def points(self) -> None:
         text = self.text
@@ -176,7 +176,7 @@ class Reader:
         offsets, offset_error = self.values.take(offset_count, code, "OFFSETS")
         word = text.word()
         if word.upper() != b"CONNECTIVITY":
-            raise text.error(f"{shown(word)} stands where CONNECTIVITY was expected")
+            raise text.error(f"{quoted(word)} stands where CONNECTIVITY was expected")
         code = self.values.number_type(text.word())
         self.values.begin()
         ids, error_at = self.values.take(size, code, "CONNECTIVITY")

@@ -11,7 +11,7 @@ from ..arrays import Array
 from ..errors import MeshReadError
 from .row_chain import ErrorAt
 from .text import Text
-from .tokens import shown
+from .tokens import quoted
 from .vtk_types import NUMBER_TYPES
 
 
@@ -36,7 +36,7 @@ class Values:
             start = self.text.position
             rest = self.text.line()
             if rest.strip():
-                raise self.text.error(f"{shown(rest.strip())} stands where the line should end", start)
+                raise self.text.error(f"{quoted(rest.strip())} stands where the line should end", start)
 
     def number_type(self, word: bytes) -> str:
         """numpy's code for a VTK number type, without byte order; "bit" and "string" stay."""
@@ -44,7 +44,9 @@ class Values:
         if name in ("bit", "string", "utf8_string"):
             return "bit" if name == "bit" else "string"
         if name not in NUMBER_TYPES:
-            raise self.text.error(f"{shown(word)} stands where a type of numbers was expected, such as float")
+            raise self.text.error(
+                f"{quoted(word)} stands where a type of numbers was expected, such as float"
+            )
         return NUMBER_TYPES[name]
 
     def take(self, count: int, code: str, what: str) -> tuple[Array, ErrorAt]:
@@ -84,7 +86,7 @@ class Values:
         dtype = np.dtype(">u1" if code == "bit" else f">{code}")
         size = (count + 7) // 8 if code == "bit" else count * dtype.itemsize
         if count < 0 or size > len(data) - start:
-            raise self.text.source.error(
+            raise self.text.file.error(
                 f"{what} should be {size} bytes, but the file has only {len(data) - start} more: it is cut "
                 "short or the number is wrong",
                 offset=start,
@@ -95,7 +97,7 @@ class Values:
             values = np.unpackbits(values)[:count]
 
         def error_at(message: str, index: int) -> MeshReadError:
-            return self.text.source.error(message, offset=start + index * dtype.itemsize)
+            return self.text.file.error(message, offset=start + index * dtype.itemsize)
 
         return values, error_at
 

@@ -9,39 +9,39 @@ from ..errors import MeshReadError
 from ..mesh import Mesh
 from .assembly import Assembly, check_finite, free_name
 from .byte_order import as_coordinates, native
-from .source import Source
-from .tokens import shown
+from .file import File
+from .tokens import quoted
 from .vtk_cells import Rows, add_cells, spans
 from .vtu_arrays import Arrays
 from .xml_tags import Element, parse
 
 
-def read(source: Source) -> Mesh:
+def read(file: File) -> Mesh:
     """Read the bytes of a `.vtu` file; raises MeshReadError."""
-    return Reader(source).read()
+    return Reader(file).read()
 
 
 class Reader:
     """Joins the pieces of the file."""
 
-    def __init__(self, source: Source) -> None:
-        self.source = source
-        self.out = Assembly(source, "vtu")
-        root = parse(source, "AppendedData")
-        file = root.first("VTKFile")
-        if file is None:
-            raise source.error("expected the element VTKFile", line_at=0)
-        kind = file.attributes.get("type", "")
+    def __init__(self, file: File) -> None:
+        self.file = file
+        self.out = Assembly(file, "vtu")
+        root = parse(file, "AppendedData")
+        top = root.first("VTKFile")
+        if top is None:
+            raise file.error("expected the element VTKFile", line_at=0)
+        kind = top.attributes.get("type", "")
         if kind != "UnstructuredGrid":
-            raise source.error(
-                f"the file holds {shown(kind)}, expected UnstructuredGrid, a mesh of volumetric cells",
-                line_at=file.begin,
+            raise file.error(
+                f"the file holds {quoted(kind)}, expected UnstructuredGrid, a mesh of volumetric cells",
+                line_at=top.begin,
             )
-        grid = file.first("UnstructuredGrid")
+        grid = top.first("UnstructuredGrid")
         self.pieces = grid.all("Piece") if grid else []
         if not self.pieces:
-            raise source.error("the file has no element Piece", line_at=file.begin)
-        self.arrays = Arrays(source, file, file.first("AppendedData"))
+            raise file.error("the file has no element Piece", line_at=top.begin)
+        self.arrays = Arrays(file, top, top.first("AppendedData"))
         self.vertex_count = 0
 
     def read(self) -> Mesh:
@@ -68,7 +68,7 @@ class Reader:
         """An attribute of a piece that counts; nothing is allocated from it."""
         text = piece.attributes.get(name, "")
         if not text.strip().isdigit() or len(text) > 18:
-            raise self.arrays.error(piece, f"{name} is {shown(text)}, expected a whole number")
+            raise self.arrays.error(piece, f"{name} is {quoted(text)}, expected a whole number")
         return int(text)
 
     def section(self, piece: Element, name: str) -> Element:
@@ -114,7 +114,7 @@ class Reader:
 
         offsets = np.concatenate([np.zeros(1, np.int64), ends.astype(np.int64)])
         starts, sizes = spans(offsets, len(ids), error_at)
-        part = Assembly(self.source, "vtu", points, notes=self.out.notes, left_out=self.out.left_out)
+        part = Assembly(self.file, "vtu", points, notes=self.out.notes, left_out=self.out.left_out)
         kept = add_cells(part, Rows(ids, starts, sizes, types, error_at))
         first_cell = sum(block.corners.shape[1] for block in self.out.blocks)
         for block in part.blocks:
@@ -129,10 +129,10 @@ class Reader:
             name = child.attributes.get("Name", "") or "unnamed"
             if child.attributes.get("type") == "String":
                 continue
-            values = native(self.arrays.values(child, f"the array {shown(name)}"))
+            values = native(self.arrays.values(child, f"the array {quoted(name)}"))
             if not count or len(values) % count:
                 self.out.note(
-                    f"The array {shown(name)} has {len(values)} numbers for {count} entries: left out."
+                    f"The array {quoted(name)} has {len(values)} numbers for {count} entries: left out."
                 )
                 continue
             out[free_name(out, name)] = values.reshape(count, len(values) // count)

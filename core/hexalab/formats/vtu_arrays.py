@@ -14,9 +14,9 @@ import numpy as np
 from ..arrays import Array
 from ..errors import MeshReadError
 from .container import inflation_bound
-from .source import Source
+from .file import File
 from .text import Text
-from .tokens import shown
+from .tokens import quoted
 from .xml_tags import Element
 
 TYPES = {
@@ -39,24 +39,24 @@ class Arrays:
 
     Parameters
     ----------
-    source : Source
+    file : File
         The file.
-    file : Element
+    top : Element
         Its VTKFile element.
     appended : Element or None
         Its AppendedData element.
     """
 
-    def __init__(self, source: Source, file: Element, appended: Element | None) -> None:
-        self.source = source
-        given = file.attributes
+    def __init__(self, file: File, top: Element, appended: Element | None) -> None:
+        self.file = file
+        given = top.attributes
         order = given.get("byte_order", "LittleEndian")
         if order not in ("LittleEndian", "BigEndian"):
-            raise self.error(file, f"byte_order is {shown(order)}, expected LittleEndian or BigEndian")
+            raise self.error(top, f"byte_order is {quoted(order)}, expected LittleEndian or BigEndian")
         self.order = "<" if order == "LittleEndian" else ">"
         header = given.get("header_type", "UInt32")
         if header not in ("UInt32", "UInt64"):
-            raise self.error(file, f"header_type is {shown(header)}, expected UInt32 or UInt64")
+            raise self.error(top, f"header_type is {quoted(header)}, expected UInt32 or UInt64")
         self.header = np.dtype(self.order + TYPES[header])
         self.compressor = given.get("compressor", "")
         self.appended_base64 = False
@@ -65,38 +65,40 @@ class Arrays:
             encoding = appended.attributes.get("encoding", "base64")
             if encoding not in ("raw", "base64"):
                 raise self.error(
-                    appended, f"appended data are encoded as {shown(encoding)}, expected raw or base64"
+                    appended, f"appended data are encoded as {quoted(encoding)}, expected raw or base64"
                 )
             self.appended_base64 = encoding == "base64"
-            mark = source.data.find(b"_", appended.begin, appended.begin + 4096)
+            mark = file.data.find(b"_", appended.begin, appended.begin + 4096)
             if mark < 0:
                 raise self.error(appended, "the appended data do not begin with an underscore")
             self.appended_begin = mark + 1
 
     def error(self, element: Element, message: str) -> MeshReadError:
         """The error for an element."""
-        return self.source.error(message, line_at=element.begin)
+        return self.file.error(message, line_at=element.begin)
 
     def values(self, element: Element, what: str) -> Array:
         """The numbers of a DataArray, flat, in this machine's byte order where that costs no copy."""
         name = element.attributes.get("type", "")
         if name not in TYPES:
-            raise self.error(element, f"{what} are of type {shown(name)}, expected one of {', '.join(TYPES)}")
+            raise self.error(
+                element, f"{what} are of type {quoted(name)}, expected one of {', '.join(TYPES)}"
+            )
         dtype = np.dtype(self.order + TYPES[name])
         form = element.attributes.get("format", "ascii")
         if form == "ascii":
             return self.ascii(element, dtype, what)
         if self.compressor not in ("", ZLIB):
             raise self.error(
-                element, f"{what} are compressed by {shown(self.compressor)}; only {ZLIB} can be read"
+                element, f"{what} are compressed by {quoted(self.compressor)}; only {ZLIB} can be read"
             )
         if form == "binary":
-            data = self.decoded(self.source.data[element.begin : self.content_end(element)], element, what)
+            data = self.decoded(self.file.data[element.begin : self.content_end(element)], element, what)
         elif form == "appended":
             data = self.appended(element, what)
         else:
             raise self.error(
-                element, f"{what} have the format {shown(form)}, expected ascii, binary or appended"
+                element, f"{what} have the format {quoted(form)}, expected ascii, binary or appended"
             )
         if len(data) % dtype.itemsize:
             raise self.error(
@@ -107,13 +109,13 @@ class Arrays:
     def content_end(self, element: Element) -> int:
         """Where the element's own content ends: at its first child, if any (VTK puts InformationKey
         there)."""
-        end = self.source.data.find(b"<", element.begin, element.end)
+        end = self.file.data.find(b"<", element.begin, element.end)
         return element.end if end < 0 else end
 
     def ascii(self, element: Element, dtype: np.dtype[np.generic], what: str) -> Array:
         """Numbers written out."""
         parsed = np.float64 if dtype.kind == "f" else np.int64
-        values = Text(self.source).between(element.begin, self.content_end(element), parsed, what)
+        values = Text(self.file).between(element.begin, self.content_end(element), parsed, what)
         return values.astype(dtype.newbyteorder("="), copy=False)
 
     def appended(self, element: Element, what: str) -> bytes | memoryview:
@@ -122,15 +124,15 @@ class Arrays:
         if self.appended_begin < 0:
             raise self.error(element, f"{what} should be in the appended data, but the file has none")
         start = self.appended_begin + (int(offset) if offset.isdigit() and len(offset) < 16 else -1)
-        if not self.appended_begin <= start < len(self.source.data):
+        if not self.appended_begin <= start < len(self.file.data):
             raise self.error(
-                element, f"{what} should be at offset {shown(offset)} of the appended data, behind their end"
+                element, f"{what} should be at offset {quoted(offset)} of the appended data, behind their end"
             )
         if self.appended_base64:
-            end = self.source.data.find(b"<", start)
-            end = len(self.source.data) if end < 0 else end
-            return self.decoded(self.source.data[start:end], element, what)
-        raw = memoryview(self.source.data)[start:]
+            end = self.file.data.find(b"<", start)
+            end = len(self.file.data) if end < 0 else end
+            return self.decoded(self.file.data[start:end], element, what)
+        raw = memoryview(self.file.data)[start:]
         head = self.header.itemsize
         if not self.compressor:
             (size,) = self.integers(raw, 1, element, what)
@@ -198,7 +200,7 @@ class Arrays:
         count, size, last = sizes[:3]
         out: list[bytes] = []
         total = position = 0
-        bound = inflation_bound(len(self.source.data))
+        bound = inflation_bound(len(self.file.data))
         for index, packed in enumerate(sizes[3:]):
             full = last if last and index == count - 1 else size
             if packed > len(data) - position:

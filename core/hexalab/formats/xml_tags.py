@@ -10,8 +10,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field
 
-from .source import Source
-from .tokens import shown
+from .file import File
+from .tokens import quoted
 
 TAG = re.compile(
     rb"<!--.*?-->|<\?.*?\?>|<(/?)([A-Za-z_][\w.:-]*)((?:\s+[\w.:-]+\s*=\s*(?:\"[^\"<]*\"|'[^'<]*'))*)\s*(/?)>",
@@ -42,7 +42,7 @@ class Element:
         return next(iter(self.all(name)), None)
 
 
-def parse(source: Source, last: str) -> Element:
+def parse(file: File, last: str) -> Element:
     """The tree of elements, read up to the element named `last` or the end; its root has no name.
 
     Raises
@@ -50,33 +50,33 @@ def parse(source: Source, last: str) -> Element:
     MeshReadError
         The tags do not match.
     """
-    root = Element("", {}, 0, len(source.data))
+    root = Element("", {}, 0, len(file.data))
     open_elements = [root]
-    for match in TAG.finditer(source.data):
+    for match in TAG.finditer(file.data):
         if match[2] is None:
             continue
         name = match[2].decode()
         if match[1]:
             if len(open_elements) == 1 or open_elements[-1].name != name:
-                expected = shown(open_elements[-1].name) if open_elements[-1].name else "an opening tag"
-                raise source.error(
-                    f"the end of {shown(name)} stands where {expected} should end", line_at=match.start()
+                expected = quoted(open_elements[-1].name) if open_elements[-1].name else "an opening tag"
+                raise file.error(
+                    f"the end of {quoted(name)} stands where {expected} should end", line_at=match.start()
                 )
             open_elements.pop().end = match.start()
             continue
         element = Element(name, attributes_of(match[3]), match.end(), match.end())
         open_elements[-1].children.append(element)
         if name == last:
-            element.end = len(source.data)
+            element.end = len(file.data)
             return root
         if not match[4]:
             open_elements.append(element)
             if len(open_elements) > DEEPEST:
-                raise source.error(f"elements are nested more than {DEEPEST} deep", line_at=match.start())
+                raise file.error(f"elements are nested more than {DEEPEST} deep", line_at=match.start())
     if len(open_elements) > 1:
-        raise source.error(
-            f"the file ends inside {shown(open_elements[-1].name)}: it is cut short",
-            line_at=len(source.data),
+        raise file.error(
+            f"the file ends inside {quoted(open_elements[-1].name)}: it is cut short",
+            line_at=len(file.data),
         )
     return root
 

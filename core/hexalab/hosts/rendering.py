@@ -37,9 +37,9 @@ SHOW = """async ({ address, name, status }) => {
   try {
     if (address) await hexalab.open(new File([await (await fetch(address)).blob()], name));
     else await hexalab.open(name);
-    const problems = status ? await hexalab.setStatus(status) : [];
+    const rejections = status ? await hexalab.setStatus(status) : [];
     await hexalab.settled();
-    return { problems, summary: hexalab.summary() };
+    return { rejections, summary: hexalab.summary() };
   } catch (error) {
     return { failed: error.message ?? String(error) };
   }
@@ -70,14 +70,14 @@ class Rendering:
     ----------
     png : bytes
         The status is in its text chunk.
-    problems : list of {path, found, expected}
+    rejections : list of {path, found, expected}
         What of the status could not be applied.
     summary : dict
         The mesh's, as `window.hexalab.summary()` gives it.
     """
 
     png: bytes
-    problems: list[dict[str, str]] = field(default_factory=list)
+    rejections: list[dict[str, str]] = field(default_factory=list)
     summary: dict[str, Any] = field(default_factory=dict)
 
 
@@ -174,7 +174,7 @@ class Renderer:
         answer = self.show(name, data, status)
         size = {"width": width, "height": height, "transparent": transparent}
         png = base64.b64decode(self._answer(PICTURE, size, name)["png"])
-        return Rendering(png, answer["problems"], answer["summary"])
+        return Rendering(png, answer["rejections"], answer["summary"])
 
     def show(self, name: str, data: bytes | None, status: dict[str, Any] | None = None) -> dict[str, Any]:
         """Open a mesh in the viewer and wait until its light has converged.
@@ -187,7 +187,7 @@ class Renderer:
         Returns
         -------
         dict
-            ``problems`` and ``summary``, as `Rendering` has them.
+            ``rejections`` and ``summary``, as `Rendering` has them.
 
         Raises
         ------

@@ -48,7 +48,7 @@ def statistics(
             values = values[considered]
     finite = np.isfinite(values)
     sound = values if finite.all() else values[finite]
-    low_is_worst = metric is None or metric.direction == "high"
+    low_is_worst = metric is None or metric.better == "high"
     worst = _worst(values, low_is_worst)
     if considered is not None:
         worst = considered[worst]

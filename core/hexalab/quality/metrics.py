@@ -38,14 +38,14 @@ class Metric:
         The paper's table (after Verdict's manual); None where neither gives one.
     unit_cube : float or None
         Value for the unit cube; None where it depends on the rest of the mesh.
-    direction : "high" or "low"
-        Which end is best.
+    better : "high" or "low"
+        Which of two values is better.
     normalisation : Normalisation
         The paper's phi and its inverse.
     unit : int
         Power of a length that values carry: 3 for a volume, 1 for a length, 0 for none.
     kinds : tuple of int
-        Cell kinds (see `hexalab.mesh.KINDS`) that have the metric in Verdict under this name.
+        Cell kinds (see `hexalab.cells.KINDS`) that have the metric in Verdict under this name.
     formula : str
         For a hexahedron with corner edges u, v, w (right-handed) and principal axes X, Y, Z, the sums of the four
         edges of each direction. After C. J. Stimpson, C. D. Ernst, P. Knupp, P. P. Pebay, D. Thompson, "The Verdict
@@ -60,7 +60,7 @@ class Metric:
     full_range: Range
     acceptable_range: Range | None
     unit_cube: float | None
-    direction: Literal["high", "low"]
+    better: Literal["high", "low"]
     normalisation: Normalisation
     unit: int
     kinds: tuple[int, ...]
@@ -103,7 +103,7 @@ class Metric:
     @property
     def worst(self) -> float:
         """The infinity at the worst end: what stands for Verdict's sentinel."""
-        return -inf if self.direction == "high" else inf
+        return -inf if self.better == "high" else inf
 
 
 ALL = (HEXAHEDRON, WEDGE, PYRAMID, TETRAHEDRON)

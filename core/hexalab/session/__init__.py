@@ -1,7 +1,11 @@
-"""One open mesh and its status: the only door between the viewer and the core.
+"""One open mesh: the only door between whoever shows it and the core.
 
-The worker calls the methods of `Session` by name. Results are dicts, lists, numbers, texts, None and numpy
-arrays; what is not finite is None, but in arrays.
+What may be asked are the methods of `Session`; `door.Door` takes the questions of any transport. Results are dicts,
+lists, numbers, texts, None and numpy arrays; what is not finite is None, but in arrays.
+
+The settings of a view belong to the viewer, which holds the one status document. The session is told those that
+concern the core (`hexalab.status.CORE_PATHS`), and of these only what has changed; it keeps them until another mesh is
+opened, which starts with their defaults.
 """
 
 from __future__ import annotations
@@ -16,22 +20,22 @@ from .. import attributes
 from .. import status as documents
 from ..diagnosis import turn_round
 from ..errors import HexaLabError
-from ..formats import FORMATS, read_bytes
+from ..formats import read_bytes
 from ..packing import jsonable, pack
-from . import inspection, measuring, sources
-from .buffers import Buffers, source_of
+from . import inspection, known, measuring
 from .opened import DESCRIBED, Opened
+from .picture import Picture, quantity_of
 
 __all__ = ["DESCRIBED", "Session"]
 
 Result = dict[str, Any]
 
-MESH_BOUND = ("camera", "filters")
-"""Sections of the status that belong to a mesh: another one starts with their defaults."""
+SETTINGS = documents.core_part(documents.DEFAULTS)
+"""The settings that a mesh is first drawn under."""
 
 
 class Session:
-    """One open mesh and its status.
+    """One open mesh, and the settings that it is drawn under.
 
     >>> session = Session()
     >>> summary = session.open("cube.mesh", data)                                    # doctest: +SKIP
@@ -39,34 +43,14 @@ class Session:
     """
 
     def __init__(self) -> None:
-        self.status: Result = documents.merge(documents.DEFAULTS, {})
+        self._settings: Result = SETTINGS
         self._opened: Opened | None = None
-        self._buffers: Buffers | None = None
-
-    # -- what there is
-
-    def formats(self) -> list[Result]:
-        """List the file formats: id, name, extensions, and whether they can be written."""
-        return [
-            {
-                "id": row.id,
-                "name": row.name,
-                "extensions": list(row.extensions),
-                "writable": row.writer is not None,
-            }
-            for row in FORMATS
-        ]
-
-    def schema(self) -> Result:
-        """Return the JSON Schema of the status and its defaults."""
-        return {"schema": documents.SCHEMA, "defaults": documents.DEFAULTS}
+        self._picture: Picture | None = None
 
     # -- the mesh
 
     def open(self, name: str, data: bytes | memoryview) -> Result:
-        """Open a mesh and do no more than the first picture needs.
-
-        Camera, filters and the colour map's range become the defaults; the rest of the status stays.
+        """Open a mesh and do no more than the first picture needs; all settings become the defaults.
 
         Raises
         ------
@@ -92,30 +76,14 @@ class Session:
             "diagonal": mesh.diagonal,
             "notes": list(mesh.notes),
             "attributes": attributes.described(mesh),
-            "max_depth": None,
         }
         summary["timings"] = {
             "read": 1000 * (read - began),
             "topology": 1000 * (topology - read),
             "summary": 1000 * (perf_counter() - topology),
         }
-        self._opened, self._buffers = opened, Buffers(opened)
-        defaults = {section: documents.DEFAULTS[section] for section in MESH_BOUND}
-        identity = {"name": mesh.name, "sha256": "", "cells": mesh.cell_count}
-        fresh = {**defaults, "colour": {"range": None}, "mesh": identity}
-        self.status = documents.merge(self.status, fresh)
-        if self._lacks_attribute(opened):
-            self._colour_by_sides()
+        self._opened, self._picture, self._settings = opened, Picture(opened), SETTINGS
         return summary
-
-    def identify(self, sha256: str) -> Result:
-        """Note the SHA-256 of the open mesh's file; returns the status' identity of the mesh."""
-        clean, problems = documents.check({"mesh": {"sha256": sha256}})
-        if problems:
-            raise HexaLabError(str(problems[0]))
-        self.status = documents.merge(self.status, clean)
-        identity: Result = self.status["mesh"]
-        return identity
 
     def describe(self, part: str = "") -> Result:
         """Return the slow part of the summary.
@@ -150,26 +118,27 @@ class Session:
         Returns
         -------
         dict
-            `partial`, `problems` (list of {path, found, expected}), `form`: "hexalab" or "original".
+            `partial`, `rejections` (list of {path, found, expected}), `form`: "hexalab" or "original".
         """
         if isinstance(document, str):
             document = documents.parse(document)
         opened = self._opened
         form = "original" if documents.is_original(document) else "hexalab"
-        known = opened.for_original() if opened and form == "original" else None
-        partial, problems = documents.read(document, known)
+        original = opened.for_original() if opened and form == "original" else None
+        partial, rejections = documents.read(document, original)
         identity = {"mesh": partial["mesh"]} if "mesh" in partial else {}
-        partial, unknown = sources.checked(partial, opened)
-        told = [problem.as_dict() for problem in problems + unknown]
-        return {"partial": {**partial, **identity}, "problems": told, "form": form}
+        partial, unknown = known.checked(partial, opened)
+        told = [rejection.as_dict() for rejection in rejections + unknown]
+        return {"partial": {**partial, **identity}, "rejections": told, "form": form}
 
-    def update(self, status: Any = None, lean: bool = False) -> Result:
-        """Apply a status or a part of one and return the buffers that changed.
+    def update(self, changed: Result | None = None, lean: bool = False) -> Result:
+        """Take on settings that changed and return what is drawn otherwise than before.
 
         Parameters
         ----------
-        status : dict or str, optional
-            As in `check`; None changes nothing.
+        changed : dict, optional
+            A part of the settings that concern the core, which has been checked where it entered; lists are kept, and
+            known again by their identity, so that the caller doesn't change them.
         lean : bool
             Leave out edges and silhouette, as for drafts while something moves; the next update that is not
             lean brings them.
@@ -177,64 +146,55 @@ class Session:
         Returns
         -------
         dict
-            `shown_cells`, `shown_faces`, `status` (complete), `problems`, `max_depth` (None until it is
-            known), `plane_ranges` (extent of the barycentres along each plane's normal, in drawing
-            coordinates), `pending` (buffers that wait for `describe`), `timings` (ms), and of `surface`,
-            `silhouette`, `irregular`, `colour` those that changed.
+            `shown_cells`, `shown_faces`, `max_depth` (None until it is known), `plane_ranges` (extent of the
+            barycentres along each plane's normal, in drawing coordinates), `pending` (records that wait for
+            `describe`), `timings` (ms), and of the records `surface`, `silhouette`, `irregular`, `colour` those that
+            changed.
+
+        Raises
+        ------
+        HexaLabError
+            If the settings name a quantity that the mesh has not got; they stay as they were.
         """
         began = perf_counter()
-        opened, buffers = self._open_mesh(), self._buffers
-        assert buffers is not None
-        checked = self.check({} if status is None else status)
-        partial = {name: part for name, part in checked["partial"].items() if name != "mesh"}
-        self.status = documents.merge(self.status, partial)
-        problems = checked["problems"]
-        if self._lacks_attribute(opened):
-            problems.append(sources.no_attribute(self.status["colour"], opened).as_dict())
-            self._colour_by_sides()
-        parts = buffers.update(self.status, lean)
+        opened, picture = self._open_mesh(), self._drawn()
+        settings = documents.merge(self._settings, changed or {})
+        records = picture.update(settings, lean)
+        self._settings = settings
         return {
-            "shown_cells": int(np.count_nonzero(buffers.shown)),
-            "shown_faces": buffers.shown_faces(),
-            "status": self.status,
-            "problems": problems,
-            "max_depth": opened.max_depth(self.status["filters"]["peel"]["depth"] > 0),
-            "plane_ranges": opened.plane_ranges(self.status["filters"]["planes"]),
-            **parts,
-            "timings": {**buffers.timings, "update": 1000 * (perf_counter() - began)},
+            "shown_cells": int(np.count_nonzero(picture.shown)),
+            "shown_faces": picture.shown_faces(),
+            "max_depth": opened.max_depth(settings["filters"]["peel"]["depth"] > 0),
+            "plane_ranges": opened.plane_ranges(settings["filters"]["planes"]),
+            **records,
+            "timings": {**picture.timings, "update": 1000 * (perf_counter() - began)},
         }
 
-    def redraw(self) -> Result:
-        """Return all buffers once more, as after a lost graphics context."""
-        if self._buffers:
-            self._buffers.forget()
-        return self.update()
-
-    def preview(self, status: Any = None) -> bytes:
-        """Pack summary, status and buffers into one block of bytes: what the catalogue shows first."""
-        opened, buffers = self._open_mesh(), self._buffers
-        assert buffers is not None
-        buffers.forget()
-        drawn = self.update(status)
+    def preview(self) -> bytes:
+        """Pack summary and first picture into one block of bytes: what the catalogue shows before Python runs."""
+        opened = self._open_mesh()
+        picture = Picture(opened)
+        records = picture.update(SETTINGS)
         mesh = opened.mesh
         frame = {"extent": mesh.extent.tolist(), "centre": mesh.centre.tolist(), "diagonal": mesh.diagonal}
         summary = {"name": mesh.name, "cells": mesh.cell_count, "vertices": mesh.vertex_count, **frame}
-        names = ("shown_cells", "shown_faces", "status", "surface", "silhouette", "colour")
-        return pack({"summary": summary, **{name: drawn[name] for name in names if name in drawn}})
+        counts = {"shown_cells": mesh.cell_count, "shown_faces": picture.shown_faces()}
+        names = ("surface", "silhouette", "colour")
+        return pack({"summary": summary, **counts, **{name: records[name] for name in names}})
 
     # -- quality
 
-    def quality(self, source: str) -> Result:
+    def quality(self, quantity: str) -> Result:
         """Return the statistics of a metric or an attribute; see `measuring.statistics_of`."""
-        return measuring.statistics_of(self._open_mesh(), source)
+        return measuring.statistics_of(self._open_mesh(), quantity)
 
-    def histogram(self, source: str, bins: int = 100, shown_only: bool = False) -> Result:
+    def histogram(self, quantity: str, bins: int = 100, shown_only: bool = False) -> Result:
         """Count the values of a metric or an attribute in bins; see `measuring.histogram_of`."""
-        opened, buffers = self._open_mesh(), self._buffers
-        colour = self.status["colour"]
-        limits = colour["range"] if source_of(colour) == source else None
-        shown = buffers.shown if shown_only and buffers else None
-        return measuring.histogram_of(opened, source, int(bins), shown, limits)
+        opened = self._open_mesh()
+        colour = self._settings["colour"]
+        limits = colour["range"] if quantity_of(colour) == quantity else None
+        shown = self._drawn().shown if shown_only else None
+        return measuring.histogram_of(opened, quantity, int(bins), shown, limits)
 
     def validity(self) -> Result:
         """Return how many cells are certified valid, invalid or undecided, and which are invalid."""
@@ -275,15 +235,13 @@ class Session:
             raise HexaLabError("no mesh is open")
         return self._opened
 
+    def _drawn(self) -> Picture:
+        if self._picture is None:
+            raise HexaLabError("no mesh is open")
+        return self._picture
+
     def _cell(self, cell: int) -> int:
         count = self._open_mesh().mesh.cell_count
         if not 0 <= cell < count:
             raise HexaLabError(f"there is no cell {cell}: the mesh has {count} cells, numbered from 0")
         return int(cell)
-
-    def _lacks_attribute(self, opened: Opened) -> bool:
-        colour = self.status["colour"]
-        return colour["by"] == "attribute" and colour["attribute"] not in opened.attributes
-
-    def _colour_by_sides(self) -> None:
-        self.status = documents.merge(self.status, {"colour": {"attribute": "", "by": "sides"}})

@@ -14,8 +14,8 @@ from .opened import Opened
 Limits = tuple[float, float] | None
 
 
-def statistics_of(opened: Opened, source: str) -> dict[str, Any]:
-    """Return the statistics of a metric or an attribute, and what the table knows of the metric.
+def statistics_of(opened: Opened, quantity: str) -> dict[str, Any]:
+    """Return the statistics of a quantity, a metric or an attribute, and what the table knows of the metric.
 
     Returns
     -------
@@ -24,18 +24,18 @@ def statistics_of(opened: Opened, source: str) -> dict[str, Any]:
         `acceptable_range`, `full_range` (an infinite end is None), `worst_value`, `best_value` (native values
         where the normalised quality is 0 and 1; None for an attribute).
     """
-    numbers = opened.statistics_of(source)
-    reach = opened.range_of(source)
+    numbers = opened.statistics_of(quantity)
+    reach = opened.range_of(quantity)
     low, high = reach or (None, None)
     told: dict[str, Any] = {
-        "id": source,
-        "name": opened.label_of(source),
+        "id": quantity,
+        "name": opened.label_of(quantity),
         "symbol": "",
         "low": low,
         "high": high,
     }
     told.update(acceptable_range=None, full_range=None, worst_value=None, best_value=None)
-    metric = METRICS.get(source)
+    metric = METRICS.get(quantity)
     if metric is not None:
         told.update(
             symbol=metric.symbol, acceptable_range=metric.acceptable_range, full_range=metric.full_range
@@ -48,14 +48,14 @@ def statistics_of(opened: Opened, source: str) -> dict[str, Any]:
 
 
 def histogram_of(
-    opened: Opened, source: str, bins: int, shown: NDArray[np.bool_] | None, limits: Limits
+    opened: Opened, quantity: str, bins: int, shown: NDArray[np.bool_] | None, limits: Limits
 ) -> dict[str, Any]:
-    """Count the values of a metric or an attribute in bins.
+    """Count the values of a quantity in bins.
 
     Parameters
     ----------
     opened : Opened
-    source : str
+    quantity : str
     bins : int
     shown : (C,) bool or None
         Cells to count; None for all.
@@ -65,34 +65,34 @@ def histogram_of(
     Returns
     -------
     dict
-        `source`, `label`, `edges` (bins + 1,), `counts` (bins,), `map_position` (bins,) of the bins' middles,
+        `quantity`, `label`, `edges` (bins + 1,), `counts` (bins,), `map_position` (bins,) of the bins' middles,
         `low`, `high` (ends of the axis), `not_finite`.
     """
-    values = opened.values(source)
+    values = opened.values(quantity)
     if shown is not None:
         values = values[shown]
-    low, high = axis_of(opened, source)
+    low, high = axis_of(opened, quantity)
     edges, counts = histogram(values, low, high, bins)
     middles = (edges[1:] + edges[:-1]) / 2
     return {
-        "source": source,
-        "label": opened.label_of(source),
+        "quantity": quantity,
+        "label": opened.label_of(quantity),
         "edges": edges,
         "counts": counts.astype(np.uint32),
-        "map_position": opened.map_positions(source, middles, limits).astype(np.float32),
+        "map_position": opened.map_positions(quantity, middles, limits).astype(np.float32),
         "low": low,
         "high": high,
         "not_finite": int(np.count_nonzero(~np.isfinite(values))),
     }
 
 
-def axis_of(opened: Opened, source: str) -> tuple[float, float]:
+def axis_of(opened: Opened, quantity: str) -> tuple[float, float]:
     """Return the ends of a histogram's axis: the mesh's finite values, and a metric's worst and best ones."""
-    reach = opened.range_of(source)
+    reach = opened.range_of(quantity)
     if reach is None:
         return 0.0, 1.0
     ends = list(reach)
-    if source in METRICS:
-        ends += METRICS[source].denormalise(np.array([0.0, 1.0]), *reach).tolist()
+    if quantity in METRICS:
+        ends += METRICS[quantity].denormalise(np.array([0.0, 1.0]), *reach).tolist()
     ends = [end for end in ends if np.isfinite(end)]
     return min(ends), max(ends)

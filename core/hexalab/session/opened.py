@@ -18,7 +18,7 @@ from ..mesh import Mesh
 from ..quality import METRICS, Validity, certify, quality, statistics
 from ..status import OpenMesh
 from ..summary import STRUCTURE
-from ..surface import Drawing, Irregular, extract_irregular
+from ..surface import DrawnMesh, Irregular, extract_irregular
 
 DESCRIBED = (*STRUCTURE, "findings")
 """Parts of a description, to be asked for one by one."""
@@ -27,7 +27,7 @@ MOST_BYTES_OF_VALUES = 96 * 2**20
 """Values per cell are kept up to this size, the least used leave first."""
 
 
-class UnknownSource(HexaLabError):
+class UnknownQuantity(HexaLabError):
     """There is no metric and no attribute of that id."""
 
 
@@ -53,9 +53,9 @@ class Opened:
         return attributes(self.mesh)
 
     @cached_property
-    def drawing(self) -> Drawing:
+    def drawn_mesh(self) -> DrawnMesh:
         """What all surfaces of the mesh share."""
-        return Drawing(self.mesh)
+        return DrawnMesh(self.mesh)
 
     @cached_property
     def filters(self) -> FilterStack:
@@ -93,53 +93,55 @@ class Opened:
             self.knows_edges = True
         return {**facts, "max_depth": self.mesh.topology.max_depth} if part == "layers" else facts
 
-    def values(self, source: str) -> Floats:
-        """Return a metric's or an attribute's value for each cell, (C,) float64.
+    def values(self, quantity: str) -> Floats:
+        """Return the value of a quantity, a metric or an attribute, for each cell, (C,) float64.
 
         Raises
         ------
-        UnknownSource
+        UnknownQuantity
             If there is neither a metric nor an attribute of that id.
         """
-        if source in self._values:
-            self._values.move_to_end(source)
-            return self._values[source]
-        if source in METRICS:
-            values = quality(self.mesh, source)
-        elif source in self.attributes:
-            values = cell_values(self.mesh, self.attributes[source])
+        if quantity in self._values:
+            self._values.move_to_end(quantity)
+            return self._values[quantity]
+        if quantity in METRICS:
+            values = quality(self.mesh, quantity)
+        elif quantity in self.attributes:
+            values = cell_values(self.mesh, self.attributes[quantity])
         else:
-            raise UnknownSource(f"there is no metric and no attribute {source!r}")
-        self._values[source] = values
+            raise UnknownQuantity(f"there is no metric and no attribute {quantity!r}")
+        self._values[quantity] = values
         while len(self._values) > 1 and len(self._values) * values.nbytes > MOST_BYTES_OF_VALUES:
             self._values.popitem(last=False)
         return values
 
-    def range_of(self, source: str) -> tuple[float, float] | None:
+    def range_of(self, quantity: str) -> tuple[float, float] | None:
         """Return the smallest and largest finite value over the cells; None if there is none."""
-        if source not in self._ranges:
-            self._ranges[source] = finite_range(self.values(source))
-        return self._ranges[source]
+        if quantity not in self._ranges:
+            self._ranges[quantity] = finite_range(self.values(quantity))
+        return self._ranges[quantity]
 
-    def statistics_of(self, source: str) -> dict[str, Any]:
+    def statistics_of(self, quantity: str) -> dict[str, Any]:
         """Return the statistics of a metric or an attribute over the cells."""
-        if source not in self._statistics:
-            self._statistics[source] = statistics(self.values(source), METRICS.get(source), self.mesh.kinds)
-        return self._statistics[source]
+        if quantity not in self._statistics:
+            self._statistics[quantity] = statistics(
+                self.values(quantity), METRICS.get(quantity), self.mesh.kinds
+            )
+        return self._statistics[quantity]
 
-    def label_of(self, source: str) -> str:
+    def label_of(self, quantity: str) -> str:
         """Return what a metric or an attribute is called on the screen."""
-        return METRICS[source].name if source in METRICS else self.attributes[source].name
+        return METRICS[quantity].name if quantity in METRICS else self.attributes[quantity].name
 
     def map_positions(
-        self, source: str, values: Floats, limits: tuple[float, float] | None = None
+        self, quantity: str, values: Floats, limits: tuple[float, float] | None = None
     ) -> NDArray[np.float64]:
         """Place values on a colour map: 0 its first colour (the best, or the lowest of an attribute), 1 its
         last.
 
         Parameters
         ----------
-        source : str
+        quantity : str
             Metric or attribute that the values are of.
         values : (n,) float64
         limits : (low, high), optional
@@ -150,8 +152,8 @@ class Opened:
         (n,) float64
             NaN where a value is not finite.
         """
-        metric = METRICS.get(source)
-        reach = self.range_of(source)
+        metric = METRICS.get(quantity)
+        reach = self.range_of(quantity)
         if reach is None:
             return np.full(len(values), np.nan)
         if metric is not None and limits is None:
@@ -160,14 +162,14 @@ class Opened:
         with np.errstate(invalid="ignore", over="ignore"):
             normal = np.clip((values - low) / (high - low), 0, 1) if high > low else (values > low) * 1.0
         normal = np.where(np.isfinite(values), normal, np.nan)
-        turned = metric is not None and metric.direction == "high"
+        turned = metric is not None and metric.better == "high"
         return np.asarray(1 - normal if turned else normal, dtype=np.float64)
 
     def irregular(self, barbs: bool, paper: bool) -> Irregular:
         """Return the irregular structure with the parts that a mode draws; it depends on no filter."""
         parts = (barbs, paper)
         if parts not in self._irregular:
-            self._irregular = {parts: extract_irregular(self.drawing, barbs=barbs, paper=paper)}
+            self._irregular = {parts: extract_irregular(self.drawn_mesh, barbs=barbs, paper=paper)}
         return self._irregular[parts]
 
     def max_depth(self, compute: bool) -> int | None:
@@ -202,11 +204,11 @@ class Opened:
             native=self._native,
         )
 
-    def _native(self, source: str, normal: float) -> float:
-        reach = self.range_of(source) if source in METRICS else None
+    def _native(self, quantity: str, normal: float) -> float:
+        reach = self.range_of(quantity) if quantity in METRICS else None
         if reach is None:
             return normal
-        return float(METRICS[source].denormalise(np.array(normal), *reach))
+        return float(METRICS[quantity].denormalise(np.array(normal), *reach))
 
 
 def _triple(vector: Floats) -> tuple[float, float, float]:

@@ -6,15 +6,13 @@ grid of a few thousand cells, opened some times over, brings the first real mesh
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import json
 
 import numpy as np
 
 from ..formats import write_bytes
 from ..mesh import Mesh
-
-if TYPE_CHECKING:
-    from . import Session
+from .door import Door
 
 SIDE = 16
 ROUNDS = 5
@@ -31,12 +29,12 @@ def grid(side: int) -> Mesh:
     return Mesh.from_cells(points, np.stack(corners, axis=1))
 
 
-def warm_up(session: Session) -> None:
-    """Open, slice and measure a small grid in a session of its own, some times over."""
+def warm_up(door: Door) -> None:
+    """Open, slice and measure a small grid through a door of its own, some times over."""
     data = write_bytes(grid(SIDE), "mesh")
     for turn in range(ROUNDS):
-        session.open("warm-up.mesh", data)
+        door.answer("open", '["warm-up.mesh", {"$bytes": 0}]', [data])
         for offset in (0, 0.3 + 0.1 * turn):
             plane = {"enabled": True, "normal": [1, 0, 0], "offset": offset}
-            session.update({"filters": {"planes": {"items": [plane]}}})
-    session.quality("scaled_jacobian")
+            door.answer("update", json.dumps([{"filters": {"planes": {"items": [plane]}}}]))
+    door.answer("quality", '["scaled_jacobian"]')

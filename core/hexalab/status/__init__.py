@@ -6,17 +6,19 @@ import json
 from typing import Any
 
 from ..errors import HexaLabError
-from .check import Problem, check, shown
+from .check import Rejection, check, quoted, same
 from .original import OpenMesh, from_original, is_original
-from .schema import DEFAULTS, SCHEMA, VERSION, copied
+from .schema import CORE_PATHS, DEFAULTS, SCHEMA, VERSION, core_part
 
 __all__ = [
+    "CORE_PATHS",
     "DEFAULTS",
     "SCHEMA",
     "VERSION",
     "OpenMesh",
-    "Problem",
+    "Rejection",
     "check",
+    "core_part",
     "from_original",
     "is_original",
     "merge",
@@ -27,28 +29,65 @@ __all__ = [
 
 
 def merge(status: dict[str, Any], partial: dict[str, Any]) -> dict[str, Any]:
-    """Return a status in which a checked part replaces what it holds; a list replaces a list."""
+    """Return a status in which a checked part replaces what it holds; a list replaces a list.
+
+    Nothing is copied that is not changed, and lists not at all: neither document is to be changed afterwards.
+    """
     merged = dict(status)
     for name, part in partial.items():
         old = merged.get(name)
         if isinstance(old, dict) and isinstance(part, dict):
             merged[name] = merge(old, part)
         else:
-            merged[name] = copied(part)
+            merged[name] = part
     return merged
 
 
-def migrate(document: Any) -> tuple[Any, list[Problem]]:
+def migrate(document: Any) -> tuple[Any, list[Rejection]]:
     """Bring a document of another version to the present one, as far as it is understood.
 
-    There is one version so far. A document that says it is newer is read as if it were of this one, and
-    that is told.
+    One that says no version is taken for the oldest that it can be of. One that says it is newer is read as if
+    it were of this version, and that is told.
     """
-    if not isinstance(document, dict) or document.get("version", VERSION) == VERSION:
+    if not isinstance(document, dict):
         return document, []
-    version = document["version"]
-    known = {**document, "version": VERSION}
-    return known, [Problem("version", shown(version), f"{VERSION}; what is known of it applies")]
+    version = document.get("version", 1)
+    for older, step in STEPS.items():
+        if same(version, older):
+            document, version = step(document), older + 1
+    if "version" in document and not same(document["version"], VERSION):
+        known = {**document, "version": VERSION}
+        words = f"{VERSION}; what is known of it applies"
+        return known, [Rejection("version", quoted(document["version"]), words)]
+    return document, []
+
+
+def _from_version_1(document: dict[str, Any]) -> dict[str, Any]:
+    """What a quality band looks at was called its source."""
+    document = {**document, "version": 2} if "version" in document else document
+    quality = _at(document, "filters", "quality")
+    items = quality.get("items") if quality else None
+    if not quality or not isinstance(items, list):
+        return document
+    bands = [
+        {**{name: part for name, part in band.items() if name != "source"}, "quantity": band["source"]}
+        if isinstance(band, dict) and "source" in band and "quantity" not in band
+        else band
+        for band in items
+    ]
+    return {**document, "filters": {**document["filters"], "quality": {**quality, "items": bands}}}
+
+
+def _at(document: dict[str, Any], *names: str) -> dict[str, Any] | None:
+    """The object that stands at a path; None if something else stands there."""
+    part: Any = document
+    for name in names:
+        part = part.get(name) if isinstance(part, dict) else None
+    return part if isinstance(part, dict) else None
+
+
+STEPS = {1: _from_version_1}
+"""From each older version to the next."""
 
 
 def parse(text: str) -> Any:
@@ -70,18 +109,18 @@ def parse(text: str) -> Any:
         raise HexaLabError("the settings are nested too deeply") from None
 
 
-def read(document: Any, mesh: OpenMesh | None = None) -> tuple[dict[str, Any], list[Problem]]:
+def read(document: Any, mesh: OpenMesh | None = None) -> tuple[dict[str, Any], list[Rejection]]:
     """Read any settings document, whole or partial, ours or the original's.
 
     Returns
     -------
     partial : dict
         What of it applies, in the present version.
-    problems : list of Problem
+    rejections : list of Rejection
         What of it does not.
     """
     if is_original(document):
         return from_original(document, mesh)
-    document, problems = migrate(document)
+    document, rejections = migrate(document)
     clean, wrong = check(document)
-    return clean, problems + wrong
+    return clean, rejections + wrong

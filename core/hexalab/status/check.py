@@ -26,7 +26,7 @@ WRONG = _Wrong()
 
 
 @dataclass(frozen=True)
-class Problem:
+class Rejection:
     """A value of a document that can't be applied.
 
     Parameters
@@ -52,7 +52,7 @@ class Problem:
         return f"{place}found {self.found}, expected {self.expected}"
 
 
-def check(document: Any) -> tuple[dict[str, Any], list[Problem]]:
+def check(document: Any) -> tuple[dict[str, Any], list[Rejection]]:
     """Part a document into what can be applied and what can't.
 
     Parameters
@@ -65,36 +65,36 @@ def check(document: Any) -> tuple[dict[str, Any], list[Problem]]:
     clean : dict
         What of it fits the schema. Missing properties stay missing, except in the items of lists, which are
         completed by their defaults (a list replaces a list).
-    problems : list of Problem
+    rejections : list of Rejection
         Each value that was left out.
     """
-    problems: list[Problem] = []
-    clean = _checked(document, SCHEMA, "", problems)
-    return ({} if isinstance(clean, _Wrong) else clean), problems
+    rejections: list[Rejection] = []
+    clean = _checked(document, SCHEMA, "", rejections)
+    return ({} if isinstance(clean, _Wrong) else clean), rejections
 
 
-def _checked(value: Any, schema: Schema, path: str, problems: list[Problem]) -> Any:
+def _checked(value: Any, schema: Schema, path: str, rejections: list[Rejection]) -> Any:
     if not _fits(value, schema):
-        problems.append(Problem(path, shown(value), expected_of(schema)))
+        rejections.append(Rejection(path, quoted(value), expected_of(schema)))
         return WRONG
     if isinstance(value, dict):
-        return _checked_object(value, schema, path, problems)
+        return _checked_object(value, schema, path, rejections)
     if isinstance(value, list):
-        return _checked_list(value, schema, path, problems)
+        return _checked_list(value, schema, path, rejections)
     if schema.get("type") == "integer":
         return int(value)
     return value
 
 
-def _checked_object(value: dict[str, Any], schema: Schema, path: str, problems: list[Problem]) -> Any:
+def _checked_object(value: dict[str, Any], schema: Schema, path: str, rejections: list[Rejection]) -> Any:
     properties = schema["properties"]
     clean = {}
     for name, part in value.items():
         place = f"{path}.{name}" if path else str(name)
         if name not in properties:
-            problems.append(Problem(place, shown(part), f"one of {', '.join(properties)}"))
+            rejections.append(Rejection(place, quoted(part), f"one of {', '.join(properties)}"))
             continue
-        checked = _checked(part, properties[name], place, problems)
+        checked = _checked(part, properties[name], place, rejections)
         if not isinstance(checked, _Wrong):
             clean[name] = checked
     for name in schema.get("required", ()):
@@ -102,16 +102,16 @@ def _checked_object(value: dict[str, Any], schema: Schema, path: str, problems: 
             continue
         if name not in value:
             place = f"{path}.{name}" if path else name
-            problems.append(Problem(place, "nothing", expected_of(properties[name])))
+            rejections.append(Rejection(place, "nothing", expected_of(properties[name])))
         return WRONG
     return clean
 
 
-def _checked_list(value: list[Any], schema: Schema, path: str, problems: list[Problem]) -> Any:
+def _checked_list(value: list[Any], schema: Schema, path: str, rejections: list[Rejection]) -> Any:
     items = schema["items"]
     if items.get("type") == "integer" and _are_sound_integers(value, items["minimum"]):
         return value
-    checked = [_checked(part, items, f"{path}[{place}]", problems) for place, part in enumerate(value)]
+    checked = [_checked(part, items, f"{path}[{place}]", rejections) for place, part in enumerate(value)]
     if items.get("type") == "object":
         return [{**default_of(items), **part} for part in checked if not isinstance(part, _Wrong)]
     right = [part for part in checked if not isinstance(part, _Wrong)]
@@ -187,7 +187,7 @@ def same(value: Any, other: Any) -> bool:
     return isinstance(value, bool) == isinstance(other, bool) and bool(value == other)
 
 
-def shown(value: Any) -> str:
+def quoted(value: Any) -> str:
     """Return a value as short JSON, for a message."""
     try:
         text = json.dumps(value, ensure_ascii=False)

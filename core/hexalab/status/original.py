@@ -11,7 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, TypeGuard
 
-from .check import Problem, check, shown
+from .check import Rejection, check, quoted
 
 SECTIONS = ("app", "camera", "rendering", "materials", "filters")
 FILTERS = ("Plane", "Peeling", "Quality", "Pick")
@@ -66,7 +66,7 @@ def is_original(document: Any) -> bool:
 
 def from_original(
     document: dict[str, Any], mesh: OpenMesh | None = None
-) -> tuple[dict[str, Any], list[Problem]]:
+) -> tuple[dict[str, Any], list[Rejection]]:
     """Convert a document of the original HexaLab.
 
     Parameters
@@ -81,28 +81,28 @@ def from_original(
     -------
     partial : dict
         The same settings as a part of our document, checked.
-    problems : list of Problem
+    rejections : list of Rejection
         What could not be converted; paths are those of the original's document, or of ours for wrong values.
     """
-    problems: list[Problem] = []
-    parts = {name: _section(document, name, problems) for name in SECTIONS}
+    rejections: list[Rejection] = []
+    parts = {name: _section(document, name, rejections) for name in SECTIONS}
     look = {**parts["rendering"], **parts["materials"]}
     partial = {
-        "camera": _camera(parts["camera"], mesh, problems),
-        "filters": _filters(parts["filters"], look, mesh, problems),
-        "separation": _separation(look, problems),
-        "colour": _colour(look, problems),
+        "camera": _camera(parts["camera"], mesh, rejections),
+        "filters": _filters(parts["filters"], look, mesh, rejections),
+        "separation": _separation(look, rejections),
+        "colour": _colour(look, rejections),
         "silhouette": _silhouette(look),
         "irregular": _taken(look, singularity_mode="mode"),
-        "lighting": _words(look, problems, lighting=("mode", LIGHTING)),
+        "lighting": _words(look, rejections, lighting=("mode", LIGHTING)),
         "background": look.get("background"),
     }
     partial = {name: part for name, part in partial.items() if part is not None and part != {}}
     clean, wrong = check(partial)
-    return clean, problems + wrong
+    return clean, rejections + wrong
 
 
-def _camera(camera: dict[str, Any], mesh: OpenMesh | None, problems: list[Problem]) -> dict[str, Any]:
+def _camera(camera: dict[str, Any], mesh: OpenMesh | None, rejections: list[Rejection]) -> dict[str, Any]:
     ours: dict[str, Any] = {}
     for name in ("direction", "up"):
         if name in camera:
@@ -121,16 +121,16 @@ def _camera(camera: dict[str, Any], mesh: OpenMesh | None, problems: list[Proble
         elif not any(offset):
             ours["target"] = [0, 0, 0]
         else:
-            problems.append(_needs_mesh("camera.offset", camera["offset"]))
+            rejections.append(_needs_mesh("camera.offset", camera["offset"]))
     elif "offset" in camera:
         ours["target"] = camera["offset"]
     return ours
 
 
 def _filters(
-    filters: dict[str, Any], look: dict[str, Any], mesh: OpenMesh | None, problems: list[Problem]
+    filters: dict[str, Any], look: dict[str, Any], mesh: OpenMesh | None, rejections: list[Rejection]
 ) -> dict[str, Any]:
-    parts = {name: _section(filters, name, problems, "filters.") for name in FILTERS if name in filters}
+    parts = {name: _section(filters, name, rejections, "filters.") for name in FILTERS if name in filters}
     ours: dict[str, Any] = {}
     if plane := parts.get("Plane"):
         ours["planes"] = {**_taken(plane, enabled="enabled"), "rule": "any_corner", **_plane_item(plane)}
@@ -140,7 +140,7 @@ def _filters(
         ours["regularisation"] = {"enabled": True, "strength": look["erode_dilate_level"]}
     if quality := parts.get("Quality"):
         ours["quality"] = _taken(quality, enabled="enabled")
-        items = _quality_items(quality, look, mesh, problems)
+        items = _quality_items(quality, look, mesh, rejections)
         if items is not None:
             ours["quality"]["items"] = items
     if pick := parts.get("Pick"):
@@ -159,17 +159,19 @@ def _plane_item(plane: dict[str, Any]) -> dict[str, Any]:
 
 
 def _quality_items(
-    quality: dict[str, Any], look: dict[str, Any], mesh: OpenMesh | None, problems: list[Problem]
+    quality: dict[str, Any], look: dict[str, Any], mesh: OpenMesh | None, rejections: list[Rejection]
 ) -> list[dict[str, Any]] | None:
     low, high = quality.get("min", 0), quality.get("max", 1)
     keep = quality.get("op", "inside")
     if not (_is_number(low) and _is_number(high)):
-        problems.append(Problem("filters.Quality", shown({"min": low, "max": high}), "numbers from 0 to 1"))
+        rejections.append(
+            Rejection("filters.Quality", quoted({"min": low, "max": high}), "numbers from 0 to 1")
+        )
         return None
     if keep == "inside" and low <= 0 and high >= 1:
         return []
     if mesh is None:
-        problems.append(_needs_mesh("filters.Quality", {"min": low, "max": high}))
+        rejections.append(_needs_mesh("filters.Quality", {"min": low, "max": high}))
         return None
     metric = metric_id(str(look.get("quality_measure", "ScaledJacobian")))
     ends: list[float | None] = [mesh.native(metric, float(low)), mesh.native(metric, float(high))]
@@ -177,7 +179,7 @@ def _quality_items(
         ends = [None if low <= 0 else ends[0], None if high >= 1 else ends[1]]
     if mesh.native(metric, 0.0) > mesh.native(metric, 1.0):  # the best is the lowest
         ends.reverse()
-    return [{"source": metric, "keep": keep, "minimum": ends[0], "maximum": ends[1]}]
+    return [{"quantity": metric, "keep": keep, "minimum": ends[0], "maximum": ends[1]}]
 
 
 def _picking(pick: dict[str, Any]) -> dict[str, Any]:
@@ -186,8 +188,8 @@ def _picking(pick: dict[str, Any]) -> dict[str, Any]:
     return {"enabled": True, "isolated": isolated, "hidden": [] if isolated else hidden, "shown": filled}
 
 
-def _separation(look: dict[str, Any], problems: list[Problem]) -> dict[str, Any]:
-    ours = _words(look, problems, geometry_mode=("mode", SEPARATION))
+def _separation(look: dict[str, Any], rejections: list[Rejection]) -> dict[str, Any]:
+    ours = _words(look, rejections, geometry_mode=("mode", SEPARATION))
     ours.update(_taken(look, visible_wireframe_opacity="line_opacity"))
     for theirs, name, factor in (
         ("crack_size", "gap", GAP_OF_CRACK),
@@ -199,10 +201,10 @@ def _separation(look: dict[str, Any], problems: list[Problem]) -> dict[str, Any]
     return ours
 
 
-def _colour(look: dict[str, Any], problems: list[Problem]) -> dict[str, Any]:
+def _colour(look: dict[str, Any], rejections: list[Rejection]) -> dict[str, Any]:
     mapped = look.get("is_quality_color_mapping_enabled", look.get("apply_color_map"))
     ours = {} if mapped is None else {"by": "quality" if mapped else "sides"}
-    ours.update(_words(look, problems, color_map=("map", MAPS)))
+    ours.update(_words(look, rejections, color_map=("map", MAPS)))
     ours.update(
         _taken(
             look,
@@ -232,7 +234,7 @@ def _taken(part: dict[str, Any], **names: str) -> dict[str, Any]:
 
 
 def _words(
-    part: dict[str, Any], problems: list[Problem], **names: tuple[str, dict[str, str]]
+    part: dict[str, Any], rejections: list[Rejection], **names: tuple[str, dict[str, str]]
 ) -> dict[str, Any]:
     found = {}
     for theirs, (ours, words) in names.items():
@@ -240,17 +242,17 @@ def _words(
         if isinstance(word, str) and word in words:
             found[ours] = words[word]
         elif theirs in part:
-            problems.append(Problem(theirs, shown(word), "one of " + ", ".join(words)))
+            rejections.append(Rejection(theirs, quoted(word), "one of " + ", ".join(words)))
     return found
 
 
 def _section(
-    document: dict[str, Any], name: str, problems: list[Problem], before: str = ""
+    document: dict[str, Any], name: str, rejections: list[Rejection], before: str = ""
 ) -> dict[str, Any]:
     part = document.get(name, {})
     if isinstance(part, dict):
         return part
-    problems.append(Problem(before + name, shown(part), "an object of settings"))
+    rejections.append(Rejection(before + name, quoted(part), "an object of settings"))
     return {}
 
 
@@ -263,5 +265,5 @@ def _is_number(value: Any) -> TypeGuard[float]:
     return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= LARGEST
 
 
-def _needs_mesh(path: str, found: Any) -> Problem:
-    return Problem(path, shown(found), "an open mesh, to whose size and quality it is relative")
+def _needs_mesh(path: str, found: Any) -> Rejection:
+    return Rejection(path, quoted(found), "an open mesh, to whose size and quality it is relative")

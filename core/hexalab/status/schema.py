@@ -10,7 +10,8 @@ from typing import Any
 
 Schema = dict[str, Any]
 
-VERSION = 1
+VERSION = 2
+"""Version 1 called the quantity of a band its `source`."""
 
 UNIT = {"type": "number", "minimum": 0, "maximum": 1}
 COLOUR = {"type": "string", "pattern": "^#[0-9a-fA-F]{6}$", "maxLength": 7}
@@ -30,6 +31,11 @@ def section(description: str, /, *required: str, **properties: Schema) -> Schema
         "additionalProperties": False,
     }
     return {**schema, "required": list(required)} if required else schema
+
+
+def core(schema: Schema) -> Schema:
+    """Mark a setting that the core acts on; all others concern the viewer alone."""
+    return {**schema, "core": True}
 
 
 def choice(default: str, *others: str, description: str = "") -> Schema:
@@ -70,8 +76,8 @@ PLANE = section(
 
 QUALITY_BAND = section(
     "Hides the cells whose value is not kept. A missing end of the band is open.",
-    "source",
-    source={
+    "quantity",
+    quantity={
         "type": "string",
         "minLength": 1,
         "default": "scaled_jacobian",
@@ -121,29 +127,31 @@ FILTERS = section(
 
 SEPARATION = section(
     "How the cells are told apart.",
-    mode=choice("lines", "darkness_coded_edges", "fissure", "rounded"),
+    mode=core(choice("lines", "darkness_coded_edges", "fissure", "rounded")),
     line_opacity={**UNIT, "default": 0.35},
-    gap={"type": "number", "minimum": 0.01, "maximum": 0.5, "default": 0.15},
-    radius={"type": "number", "minimum": 0.01, "maximum": 0.5, "default": 0.075},
+    gap=core({"type": "number", "minimum": 0.01, "maximum": 0.5, "default": 0.15}),
+    radius=core({"type": "number", "minimum": 0.01, "maximum": 0.5, "default": 0.075}),
     line_width={"type": "number", "minimum": 0.25, "maximum": 8, "default": 1, "description": "In pixels"},
 )
 
 COLOUR_BY = section(
     "What the faces are coloured by.",
-    by=choice("sides", "quality", "attribute", "kind"),
+    by=core(choice("sides", "quality", "attribute", "kind")),
     outside={**COLOUR, "default": "#ffffff", "description": "Faces of the boundary"},
     inside={**COLOUR, "default": "#ffff00", "description": "Faces that filters expose"},
-    metric={"type": "string", "minLength": 1, "default": "scaled_jacobian"},
-    attribute={"type": "string", "default": "", "description": "cell:NAME or point:NAME"},
+    metric=core({"type": "string", "minLength": 1, "default": "scaled_jacobian"}),
+    attribute=core({"type": "string", "default": "", "description": "cell:NAME or point:NAME"}),
     map=choice("parula", "jet", "red_blue", "viridis"),
-    range={
-        "type": ["array", "null"],
-        "items": {"type": "number"},
-        "minItems": 2,
-        "maxItems": 2,
-        "default": None,
-        "description": "Values at the ends of the map; null: the mesh's own",
-    },
+    range=core(
+        {
+            "type": ["array", "null"],
+            "items": {"type": "number"},
+            "minItems": 2,
+            "maxItems": 2,
+            "default": None,
+            "description": "Values at the ends of the map; null: the mesh's own",
+        }
+    ),
 )
 
 SCHEMA: Schema = {
@@ -154,19 +162,23 @@ SCHEMA: Schema = {
         version={"const": VERSION, "default": VERSION},
         mesh=MESH,
         camera=CAMERA,
-        filters=FILTERS,
+        filters=core(FILTERS),
         separation=SEPARATION,
         colour=COLOUR_BY,
-        silhouette={**UNIT, "default": 1, "description": "Of what is hidden: 0 none, 0.5 flat, 1 shaded"},
+        silhouette=core(
+            {**UNIT, "default": 1, "description": "Of what is hidden: 0 none, 0.5 flat, 1 shaded"}
+        ),
         irregular=section(
             "Edges of irregular valence.",
-            mode={
-                "type": "integer",
-                "minimum": 0,
-                "maximum": 6,
-                "default": 1,
-                "description": "0 off, 1 wires, 3 barbed wires, 5 paper; 2, 4, 6 seen through the mesh too",
-            },
+            mode=core(
+                {
+                    "type": "integer",
+                    "minimum": 0,
+                    "maximum": 6,
+                    "default": 1,
+                    "description": "0 off, 1 wires, 3 barbed wires, 5 paper; 2, 4, 6 seen through the mesh too",
+                }
+            ),
             boundary={"type": "boolean", "default": False, "description": "Edges of the boundary too"},
         ),
         lighting=section("Light.", mode=choice("object_space_ao", "screen_space_ao", "direct", "none")),
@@ -200,3 +212,27 @@ def default_of(schema: Schema) -> Any:
 
 DEFAULTS: dict[str, Any] = default_of(SCHEMA)
 """The complete document that a fresh viewer starts from."""
+
+
+def core_paths(schema: Schema, path: tuple[str, ...] = ()) -> list[str]:
+    """Return the dotted paths of the settings that the core acts on, as the schema marks them."""
+    if schema.get("core"):
+        return [".".join(path)]
+    parts = schema.get("properties", {})
+    return [found for name, part in parts.items() for found in core_paths(part, (*path, name))]
+
+
+CORE_PATHS = tuple(core_paths(SCHEMA))
+"""What of a status goes to the core: the viewer reads it here too."""
+
+
+def core_part(status: dict[str, Any]) -> dict[str, Any]:
+    """Return the part of a whole status that the core acts on; not copied."""
+    part: dict[str, Any] = {}
+    for path in CORE_PATHS:
+        *sections, name = path.split(".")
+        here, there = part, status
+        for section_name in sections:
+            here, there = here.setdefault(section_name, {}), there[section_name]
+        here[name] = there[name]
+    return part

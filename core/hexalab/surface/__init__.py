@@ -5,19 +5,19 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from .buffers import Irregular, Silhouette, Surface
 from .darkness_coded_edges import darkness_coded_edges
-from .drawing import Drawing
+from .drawn_mesh import DrawnMesh
 from .fissure import fissure
 from .irregular import extract_irregular
 from .lines import interface_quads, lines
+from .records import Irregular, Silhouette, Surface
 from .rounded import rounded
 from .silhouette import extract_silhouette
 
 __all__ = [
     "LINED",
     "MODES",
-    "Drawing",
+    "DrawnMesh",
     "Irregular",
     "Silhouette",
     "Surface",
@@ -34,7 +34,7 @@ LINED = ("lines", "darkness_coded_edges")
 
 
 def extract_surface(
-    drawing: Drawing,
+    drawn_mesh: DrawnMesh,
     shown: NDArray[np.bool_],
     mode: str = "lines",
     gap: float = 0.15,
@@ -45,7 +45,7 @@ def extract_surface(
 
     Parameters
     ----------
-    drawing : Drawing
+    drawn_mesh : DrawnMesh
         Made once for each mesh.
     shown : (C,) bool
     mode : str
@@ -63,13 +63,13 @@ def extract_surface(
         If there is no such mode.
     """
     if mode in LINED and not edges:
-        return interface_quads(drawing, shown, mode)
+        return interface_quads(drawn_mesh, shown, mode)
     if mode == "lines":
-        return lines(drawing, shown)
+        return lines(drawn_mesh, shown)
     if mode == "darkness_coded_edges":
-        return darkness_coded_edges(drawing, shown)
+        return darkness_coded_edges(drawn_mesh, shown)
     if mode == "fissure":
-        return fissure(drawing, shown, gap)
+        return fissure(drawn_mesh, shown, gap)
     if mode == "rounded":
-        return rounded(drawing, shown, radius)
+        return rounded(drawn_mesh, shown, radius)
     raise ValueError(f"no separation mode {mode!r}; there are {', '.join(MODES)}")

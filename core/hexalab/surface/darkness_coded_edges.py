@@ -6,23 +6,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import Ids
-from .buffers import Bytes, Surface
-from .drawing import Drawing
+from .drawn_mesh import DrawnMesh
 from .edges import Indices, one_of_each, quad_sides
 from .fan import Walks, fan_sizes
 from .lines import edge_lines, interface_surface
+from .records import Bytes, Surface
 
 
-def darkness_coded_edges(drawing: Drawing, shown: NDArray[np.bool_]) -> Surface:
+def darkness_coded_edges(drawn_mesh: DrawnMesh, shown: NDArray[np.bool_]) -> Surface:
     """Surface with edges that know the number of shown cells around them.
 
     Parameters
     ----------
-    drawing : Drawing
+    drawn_mesh : DrawnMesh
     shown : (C,) bool
     """
-    interface = drawing.topology.interface(shown)
-    corners = drawing.topology.corners_of(interface.cells, interface.locals)
+    interface = drawn_mesh.topology.interface(shown)
+    corners = drawn_mesh.topology.corners_of(interface.cells, interface.locals)
     start, end, side = quad_sides(corners)
     winner = one_of_each(start, end)
     drawn = np.flatnonzero(winner == np.arange(len(winner)))
@@ -31,13 +31,13 @@ def darkness_coded_edges(drawing: Drawing, shown: NDArray[np.bool_]) -> Surface:
     place[(corners[2] == corners[3])[quad]] = -1
     local = interface.locals[quad].astype(np.intp)
     walks = Walks(interface.cells[quad], local, place, start, end)
-    around = _cells_around(drawing, shown, walks, winner)
-    edges = edge_lines(drawing, start[drawn], end[drawn])
+    around = _cells_around(drawn_mesh, shown, walks, winner)
+    edges = edge_lines(drawn_mesh, start[drawn], end[drawn])
     counts: Bytes = np.minimum(around[drawn], 255).astype(np.uint8)
-    return interface_surface(drawing, "darkness_coded_edges", interface, corners, edges, counts)
+    return interface_surface(drawn_mesh, "darkness_coded_edges", interface, corners, edges, counts)
 
 
-def _cells_around(drawing: Drawing, shown: NDArray[np.bool_], sides: Walks, winner: Indices) -> Ids:
+def _cells_around(drawn_mesh: DrawnMesh, shown: NDArray[np.bool_], sides: Walks, winner: Indices) -> Ids:
     """Number of shown cells around the edge of each side that stands for its edge.
 
     An edge that two quads share has one fan, from one quad's cell to the other's. Where more meet, each fan
@@ -50,11 +50,11 @@ def _cells_around(drawing: Drawing, shown: NDArray[np.bool_], sides: Walks, winn
     from_cell, to_cell = sides.cells[simple], sides.cells[winner[simple]]
     apart = np.flatnonzero(from_cell != to_cell)
     simple = simple[apart]
-    around[winner[simple]] = fan_sizes(drawing.topology, shown, sides.part(simple), to_cell[apart])
+    around[winner[simple]] = fan_sizes(drawn_mesh.topology, shown, sides.part(simple), to_cell[apart])
     crowded = np.flatnonzero(quads != 2)
     if len(crowded):
         nowhere = np.full(len(crowded), -1, np.int32)
-        fans = fan_sizes(drawing.topology, shown, sides.part(crowded), nowhere)
+        fans = fan_sizes(drawn_mesh.topology, shown, sides.part(crowded), nowhere)
         total = np.bincount(winner[crowded], weights=fans, minlength=len(winner))
         around[winner[crowded]] = (total[winner[crowded]] / 2).astype(np.int32)
     return around

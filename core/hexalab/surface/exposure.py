@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import CHUNK, Array, Ids
-from .buffers import Bytes, Floats32
-from .drawing import Drawing
+from .drawn_mesh import DrawnMesh
+from .records import Bytes, Floats32
 
 
 class ExposedCells(NamedTuple):
@@ -38,9 +38,9 @@ class ExposedCells(NamedTuple):
         )
 
 
-def exposed_cells(drawing: Drawing, shown: NDArray[np.bool_]) -> ExposedCells:
+def exposed_cells(drawn_mesh: DrawnMesh, shown: NDArray[np.bool_]) -> ExposedCells:
     """Find the vertices on the interface, then the shown cells that have one."""
-    topology, mesh = drawing.topology, drawing.mesh
+    topology, mesh = drawn_mesh.topology, drawn_mesh.mesh
     interface = topology.interface(shown)
     exposed = np.zeros(mesh.vertex_count, np.uint8)
     exposed[topology.corners_of(interface.cells, interface.locals).reshape(-1)] = 1
@@ -58,4 +58,4 @@ def exposed_cells(drawing: Drawing, shown: NDArray[np.bool_]) -> ExposedCells:
     for place in range(8):
         corners[place] = mesh.corners[place][cells]
         codes |= exposed[corners[place]] << np.uint8(place)
-    return ExposedCells(cells, codes, corners, drawing.points(corners))
+    return ExposedCells(cells, codes, corners, drawn_mesh.points(corners))

@@ -6,18 +6,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..cells import FACES
-from .buffers import Floats32, Surface
 from .collapse import first_places
-from .drawing import Drawing
+from .drawn_mesh import DrawnMesh
 from .exposure import ExposedCells, exposed_cells
 from .flat import flat_surface
 from .lines import exposed_by_filters
+from .records import Floats32, Surface
 
 _PLACES = np.array(FACES, np.intp)
 _BITS = [np.uint8(sum(1 << place for place in ring)) for ring in FACES]
 
 
-def fissure(drawing: Drawing, shown: NDArray[np.bool_], gap: float = 0.15) -> Surface:
+def fissure(drawn_mesh: DrawnMesh, shown: NDArray[np.bool_], gap: float = 0.15) -> Surface:
     """Surface with a gap around each cell (the paper's section on mesh extraction in fissure mode).
 
     Every face with an exposed corner is drawn, from each of its cells. Exposed corners go towards the
@@ -25,19 +25,19 @@ def fissure(drawing: Drawing, shown: NDArray[np.bool_], gap: float = 0.15) -> Su
 
     Parameters
     ----------
-    drawing : Drawing
+    drawn_mesh : DrawnMesh
     shown : (C,) bool
     gap : float
         How far exposed corners go: 0 nowhere, 1 all the way. The original's slider gives 0.04 to 0.2.
     """
-    found = exposed_cells(drawing, shown)
+    found = exposed_cells(drawn_mesh, shown)
     count = len(found.cells)
     points = _shrunk(found, gap)
 
     owner = [np.flatnonzero(found.codes & bits) for bits in _BITS]
     local = np.repeat(np.arange(6), [len(part) for part in owner])
     which = np.concatenate(owner)
-    rows = drawing.topology.cell_faces.reshape(-1)[local * drawing.mesh.cell_count + found.cells[which]]
+    rows = drawn_mesh.topology.cell_faces.reshape(-1)[local * drawn_mesh.mesh.cell_count + found.cells[which]]
     if rows.size and rows.min() < 0:
         kept = np.flatnonzero(rows >= 0)
         local, which, rows = local[kept], which[kept], rows[kept]
@@ -48,8 +48,8 @@ def fissure(drawing: Drawing, shown: NDArray[np.bool_], gap: float = 0.15) -> Su
     quads = np.empty((3, 4, len(which)), np.float32)
     for axis in range(3):
         quads[axis] = points[axis].reshape(-1)[places]
-    inside = exposed_by_filters(drawing, rows)
-    return flat_surface(drawing, "fissure", quads, found.cells[which], local, inside)
+    inside = exposed_by_filters(drawn_mesh, rows)
+    return flat_surface(drawn_mesh, "fissure", quads, found.cells[which], local, inside)
 
 
 def _shrunk(found: ExposedCells, gap: float) -> Floats32:

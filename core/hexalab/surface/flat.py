@@ -9,16 +9,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import Array
-from .buffers import Bytes, Floats32, Int16s, Surface
-from .drawing import Drawing
+from .drawn_mesh import DrawnMesh
 from .normals import pack, quad_normals
+from .records import Bytes, Floats32, Int16s, Surface
 
 NO_LINES: Floats32 = np.empty(0, np.float32)
 NO_COUNTS: Bytes = np.empty(0, np.uint8)
 
 
 def flat_surface(
-    drawing: Drawing,
+    drawn_mesh: DrawnMesh,
     mode: str,
     points: Floats32,
     cells: Array,
@@ -31,7 +31,7 @@ def flat_surface(
 
     Parameters
     ----------
-    drawing : Drawing
+    drawn_mesh : DrawnMesh
     mode : str
     points : (3, 4, Q) float32
         Axis, corner, quad, counter-clockwise as seen from outside; a triangle repeats its last corner.
@@ -42,7 +42,7 @@ def flat_surface(
     edges, edge_cells
         As in `Surface`.
     """
-    positions, normals = flat_quads(points, lambda which: drawing.barycentres(cells[which]))
+    positions, normals = flat_quads(points, lambda which: drawn_mesh.barycentres(cells[which]))
     own = cells.astype(np.uint32)
     return Surface(
         mode=mode,

@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 
 from ..arrays import Array, Ids
 from ..cells import EDGES, FACES
-from .buffers import Bytes, Irregular
-from .drawing import Drawing
+from .drawn_mesh import DrawnMesh
 from .edges import Indices
 from .flat import NO_LINES, interleave
+from .records import Bytes, Irregular
 
 REGULAR_INTERIOR, REGULAR_BOUNDARY = 4, 2
 """Cells around an edge of a grid, within it and on its boundary."""
@@ -23,16 +23,16 @@ REACH = np.float32(0.45)
 _PLACES = np.array(FACES, np.intp)
 
 
-def extract_irregular(drawing: Drawing, barbs: bool = True, paper: bool = True) -> Irregular:
+def extract_irregular(drawn_mesh: DrawnMesh, barbs: bool = True, paper: bool = True) -> Irregular:
     """Irregular edges with what depicts them, whatever the filters hide.
 
     Parameters
     ----------
-    drawing : Drawing
+    drawn_mesh : DrawnMesh
     barbs, paper : bool
         Whether to make these too; of an unstructured mesh they are many.
     """
-    topology = drawing.topology
+    topology = drawn_mesh.topology
     boundary = topology.edge_on_boundary
     usual = np.where(boundary, REGULAR_BOUNDARY, REGULAR_INTERIOR)
     odd = topology.edge_cells != usual
@@ -44,8 +44,8 @@ def extract_irregular(drawing: Drawing, barbs: bool = True, paper: bool = True) 
     barb_of: Indices = np.empty(0, np.intp)
     flap_of: Indices = np.empty(0, np.intp)
     if (barbs or paper) and len(edges):
-        around = _faces_around(drawing, edges)
-        corners = drawing.points(around.corners)
+        around = _faces_around(drawn_mesh, edges)
+        corners = drawn_mesh.points(around.corners)
         root, tip = corners[:, [0, 1]], corners[:, [3, 2]]
         far = root + REACH * (tip - root)
         if barbs:
@@ -55,7 +55,7 @@ def extract_irregular(drawing: Drawing, barbs: bool = True, paper: bool = True) 
             quads = np.stack([root[:, 0], root[:, 1], far[:, 1], far[:, 0]], axis=1)
             flaps, flap_of = interleave(quads), around.edges
     return Irregular(
-        edges=interleave(drawing.points(topology.edge_vertices[:, edges])),
+        edges=interleave(drawn_mesh.points(topology.edge_vertices[:, edges])),
         valence=valence,
         boundary=outside,
         barbs=barb_lines,
@@ -86,9 +86,9 @@ class _FacesAround(NamedTuple):
     corners: Ids
 
 
-def _faces_around(drawing: Drawing, edges: Array) -> _FacesAround:
+def _faces_around(drawn_mesh: DrawnMesh, edges: Array) -> _FacesAround:
     """Each face around each of some edges once."""
-    topology = drawing.topology
+    topology = drawn_mesh.topology
     number = np.full(topology.edge_count + 1, -1, np.int32)
     number[edges] = np.arange(len(edges), dtype=np.int32)
     found: list[Array] = []

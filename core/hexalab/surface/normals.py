@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import Array
-from .buffers import Floats32, Int16s
+from .records import Floats32, Int16s
 
 FLAT = np.float32(1e-13)
 """Squared area over the fourth power of the size: below it float32 says nothing about a direction."""

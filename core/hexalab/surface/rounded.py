@@ -8,14 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..cells import FACES
-from .buffers import Bytes, Floats32, Int16s, Surface, UInt32s
 from .collapse import by_pattern, polygons
-from .drawing import Drawing
+from .drawn_mesh import DrawnMesh
 from .exposure import ExposedCells, exposed_cells
 from .flat import NO_COUNTS, NO_LINES
 from .lattice import THIRD, Lattice, lattice
 from .lines import exposed_by_filters
 from .normals import pack, quad_normals, unit
+from .records import Bytes, Floats32, Int16s, Surface, UInt32s
 
 BLOCK = 2048
 """Cells in a block: the temporaries of its some 70,000 nodes stay in the second-level cache."""
@@ -32,7 +32,7 @@ class _Sheet(NamedTuple):
     faces: UInt32s
 
 
-def rounded(drawing: Drawing, shown: NDArray[np.bool_], radius: float = 0.075) -> Surface:
+def rounded(drawn_mesh: DrawnMesh, shown: NDArray[np.bool_], radius: float = 0.075) -> Surface:
     """Surface of rounded cells (the paper's section on mesh extraction in rounded mode).
 
     Where corners of a cell are not exposed, its rounding runs out towards them and the gaps close, so that
@@ -40,13 +40,13 @@ def rounded(drawing: Drawing, shown: NDArray[np.bool_], radius: float = 0.075) -
 
     Parameters
     ----------
-    drawing : Drawing
+    drawn_mesh : DrawnMesh
     shown : (C,) bool
     radius : float
         Radius of the rounding over the length of the edge: 0 for none, 1/2 makes spheres of cubes. The
         original's slider gives 0.04 to 0.2.
     """
-    found = exposed_cells(drawing, shown)
+    found = exposed_cells(drawn_mesh, shown)
     groups = [
         (lattice(pattern), found.part(which))
         for pattern, which in by_pattern(found.corners)
@@ -67,7 +67,7 @@ def rounded(drawing: Drawing, shown: NDArray[np.bool_], radius: float = 0.075) -
         weights = _weights(shape, radius)
         for begin in range(0, len(part.cells), BLOCK):
             block = part.part(slice(begin, begin + BLOCK))
-            vertex, quad = _fill(sheet, vertex, quad, drawing, shape, weights, block)
+            vertex, quad = _fill(sheet, vertex, quad, drawn_mesh, shape, weights, block)
     return Surface(
         mode="rounded",
         positions=sheet.positions.reshape(-1),
@@ -93,7 +93,7 @@ def _fill(
     sheet: _Sheet,
     vertex: int,
     quad: int,
-    drawing: Drawing,
+    drawn_mesh: DrawnMesh,
     shape: Lattice,
     weights: Floats32,
     block: ExposedCells,
@@ -111,7 +111,7 @@ def _fill(
         for t in (*range(2, len(weights)), 0):
             x += shares[t] * corner[sources[t]]
         sheet.positions[nodes, axis] = x
-    normals, inside = _faces_of_cells(drawing, shape, block)
+    normals, inside = _faces_of_cells(drawn_mesh, shape, block)
     kind = shape.classes[entry] * count + owner
     sheet.normals.view(np.int64)[nodes, 0] = normals[kind]
     sheet.inside[nodes] = inside[kind]
@@ -140,15 +140,17 @@ def _spread(
     return owner, entry, end - length
 
 
-def _faces_of_cells(drawing: Drawing, shape: Lattice, block: ExposedCells) -> tuple[NDArray[np.int64], Bytes]:
+def _faces_of_cells(
+    drawn_mesh: DrawnMesh, shape: Lattice, block: ExposedCells
+) -> tuple[NDArray[np.int64], Bytes]:
     """Normals, packed in eight bytes, and `inside` of each class of nodes of each cell, class after class."""
     count = len(block.cells)
-    rows = drawing.topology.cell_faces[:, block.cells]
-    within = exposed_by_filters(drawing, rows).view(np.uint8) * np.uint8(255)
+    rows = drawn_mesh.topology.cell_faces[:, block.cells]
+    within = exposed_by_filters(drawn_mesh, rows).view(np.uint8) * np.uint8(255)
     faces = np.empty((6, 3, count), np.float32)
     for face in sorted({face for faces_of in shape.faces_of_class for face in faces_of}):
         faces[face] = quad_normals(
-            block.points[:, list(FACES[face])], lambda which: drawing.barycentres(block.cells[which])
+            block.points[:, list(FACES[face])], lambda which: drawn_mesh.barycentres(block.cells[which])
         )
     normals = np.empty((len(shape.faces_of_class), count), np.int64)
     inside = np.empty((len(shape.faces_of_class), count), np.uint8)

@@ -5,22 +5,22 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from .buffers import Silhouette
-from .drawing import Drawing
+from .drawn_mesh import DrawnMesh
 from .flat import flat_quads
+from .records import Silhouette
 
 
-def extract_silhouette(drawing: Drawing, shown: NDArray[np.bool_]) -> Silhouette:
+def extract_silhouette(drawn_mesh: DrawnMesh, shown: NDArray[np.bool_]) -> Silhouette:
     """Boundary faces of hidden cells, outward.
 
     Parameters
     ----------
-    drawing : Drawing
+    drawn_mesh : DrawnMesh
     shown : (C,) bool
     """
-    faces = drawing.topology.faces
+    faces = drawn_mesh.topology.faces
     boundary = slice(faces.paired, faces.boundary_end)
     hidden = np.flatnonzero(~shown[faces.cells[0, boundary]])
     cells, local = faces.cells[0, boundary][hidden], faces.locals[0, boundary][hidden]
-    points = drawing.points(drawing.topology.corners_of(cells, local))
-    return Silhouette(*flat_quads(points, lambda which: drawing.barycentres(cells[which])))
+    points = drawn_mesh.points(drawn_mesh.topology.corners_of(cells, local))
+    return Silhouette(*flat_quads(points, lambda which: drawn_mesh.barycentres(cells[which])))

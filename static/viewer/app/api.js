@@ -60,9 +60,9 @@ export class HexaLab {
    * @returns {Promise<{ path: string, found: string, expected: string }[]>} what was wrong in it, once the rest is applied and drawn
    */
   async setStatus(partial) {
-    const problems = await this.#app.documents.apply(partial);
+    const rejections = await this.#app.documents.apply(partial);
     await this.#app.drawing.drawn();
-    return problems;
+    return rejections;
   }
 
   /** Resolves when the lighting has converged. @returns {Promise<void>} */

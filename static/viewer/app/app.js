@@ -62,7 +62,7 @@ export class App {
       store.set({ mesh: { sha256: detail.sha256 } }, { undo: false });
     });
     client.addEventListener("died", () => {
-      this.drawing.ready = false;
+      this.drawing.pause();
       facts.set({ core: "starting" });
       messages.say("warning", "The core stopped and is being started again", { topic: "core" });
     });

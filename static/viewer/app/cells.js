@@ -1,5 +1,5 @@
 import { cameraOnCell } from "../state/camera.js";
-import { qualitySource } from "../state/quantity.js";
+import { quantityOf } from "../state/quantity.js";
 import { dig, isolate, undig } from "../state/picking.js";
 
 /** What can be done to single cells: inspect, fly to, pick, show those of a finding. */
@@ -31,7 +31,7 @@ export class Cells {
   /** Tell the value of the cell under the pointer, in the metric or attribute looked at. @param {number} cell */
   async tell(cell) {
     const { client, facts } = this.#app;
-    const { id, name, symbol } = qualitySource(this.#app);
+    const { id, name, symbol } = quantityOf(this.#app);
     const found = await client.call("inspect", [cell], { replace: "hover" }).catch(() => null);
     if (!found || facts.get("hover")?.cell !== cell) return;
     const value = found.metrics[id] ?? found.attributes[name];

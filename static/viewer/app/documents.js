@@ -17,14 +17,14 @@ export class Documents {
   async apply(document) {
     const { client, store, messages, facts } = this.#app;
     await client.ready;
-    const { partial, problems } = await client.call("check", [document]);
+    const { partial, rejections } = await client.call("check", [document]);
     const { mesh, ...settings } = partial;
     store.seal();
     store.set(settings, {});
     store.seal();
-    if (problems.length) messages.say("warning", problemsInWords(problems), { topic: "status" });
+    if (rejections.length) messages.say("warning", rejectionsInWords(rejections), { topic: "status" });
     if (mesh && !this.#isOpen(mesh)) this.#offer(mesh, document, facts.get("catalogue"));
-    return problems;
+    return rejections;
   }
 
   /** The same from text. @param {string} text @param {string} from what the text is, for the message */
@@ -89,11 +89,11 @@ export function parse(text, from) {
   throw new Error(`${from} holds no settings: found ${text.trim().slice(0, 20)}, expected an object`);
 }
 
-/** @param {readonly { path: string, found: string, expected: string }[]} problems */
-export function problemsInWords(problems) {
-  const named = problems
+/** @param {readonly { path: string, found: string, expected: string }[]} rejections */
+export function rejectionsInWords(rejections) {
+  const named = rejections
     .slice(0, 3)
     .map(({ path, found, expected }) => `${path || "the document"}: found ${found}, expected ${expected}`);
-  const more = problems.length > 3 ? `; and ${problems.length - 3} more` : "";
+  const more = rejections.length > 3 ? `; and ${rejections.length - 3} more` : "";
   return `${named.join("; ")}${more}. The rest was applied.`;
 }

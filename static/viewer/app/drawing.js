@@ -1,28 +1,10 @@
 import { Superseded } from "../core/client.js";
+import { CoreSettings } from "../state/core_settings.js";
 import { normalised } from "../state/vectors.js";
 
-/** The settings that the core has to act on; all others concern the scene alone. */
-export const CORE_PATHS = [
-  "filters",
-  "separation.mode",
-  "separation.gap",
-  "separation.radius",
-  "colour.by",
-  "colour.metric",
-  "colour.attribute",
-  "colour.range",
-  "silhouette",
-  "irregular",
-];
-
-/** @param {readonly string[]} changed */
-export function concernsCore(changed) {
-  return changed.some((path) => CORE_PATHS.some((core) => path === core || path.startsWith(`${core}.`)));
-}
-
 /**
- * Status to core to scene: every change goes to the scene at once, and to the core where it concerns the core, whose
- * buffers go to the scene when they come. A newer change replaces one that still waits.
+ * Status to core to scene: every change goes to the scene at once, and to the core what of it concerns the core, whose
+ * records go to the scene when they come. A newer change replaces one that still waits.
  */
 export class Drawing {
   #store;
@@ -30,30 +12,32 @@ export class Drawing {
   #scene;
   #facts;
   #messages;
+  #settings;
   #ready = false;
   /** Whether the surface that is there, or was asked for last, lacks edges and silhouette. */
   #lean = false;
   /** @type {Promise<void>} */
   #latest = Promise.resolve();
 
-  /** @param {{ store: any, client: any, scene: any, facts: any, messages: any }} parts */
-  constructor({ store, client, scene, facts, messages }) {
+  /** @param {{ store: any, client: any, scene: any, facts: any, messages: any, tables: import("../state/tables.js").Tables }} parts */
+  constructor({ store, client, scene, facts, messages, tables }) {
     this.#store = store;
     this.#client = client;
     this.#scene = scene;
     this.#facts = facts;
     this.#messages = messages;
+    this.#settings = new CoreSettings(tables.core_paths);
     scene.setStatus(store.status);
     store.on("*", (/** @type {any} */ status, /** @type {readonly string[]} */ changed) => {
       if (!changed.length) return;
       scene.setStatus(status);
       // The translucent plane moves with the answer: a picture of it alone would delay that of the slice.
-      if (concernsCore(changed)) this.update();
+      if (this.#settings.concern(changed)) this.update();
       else if (this.#facts.get("planeShown")) this.#showPlane();
     });
     facts.on("planeShown", () => this.#showPlane());
     scene.on("calm", () => {
-      if (this.#ready && this.#lean) this.#latest = this.#ask(store.status, true);
+      if (this.#ready && this.#lean) this.#latest = this.#ask(true);
     });
     facts.on("statistics", (/** @type {any} */ statistics) => {
       const found = statistics?.scaled_jacobian;
@@ -61,14 +45,20 @@ export class Drawing {
     });
   }
 
-  /** Whether the core holds the mesh on the screen. @param {boolean} ready */
-  set ready(ready) {
-    this.#ready = ready;
+  /** The core holds the mesh on the screen. */
+  begin() {
+    this.#settings.forget();
+    this.#ready = true;
   }
 
-  /** Ask the core for what the present status shows. @param {any} [partial] @returns {Promise<void>} */
-  update(partial) {
-    if (this.#ready) this.#latest = this.#ask(partial ?? this.#store.status);
+  /** The core holds no mesh, or another. */
+  pause() {
+    this.#ready = false;
+  }
+
+  /** Ask the core for what the present status shows. @returns {Promise<void>} */
+  update() {
+    if (this.#ready) this.#latest = this.#ask();
     return this.#latest;
   }
 
@@ -88,19 +78,23 @@ export class Drawing {
     this.#take(answer);
   }
 
-  /** @param {any} status @param {boolean} [same] nothing has moved: what a lean answer left out is wanted */
-  async #ask(status, same = false) {
+  /** @param {boolean} [same] nothing has moved: what a lean answer left out is wanted */
+  async #ask(same = false) {
     try {
       const lean = !same && this.#scene.hurried;
       this.#lean = lean;
-      const answer = await this.#client.call("update", [status, lean], { replace: "update" });
+      // What has changed is found when the call is sent: one that another replaces takes no change with it.
+      const args = () => [this.#settings.changed(this.#store.status), lean];
+      const answer = await this.#client.call("update", args, { replace: "update" });
       this.#messages.settle("update");
       this.#take(answer, same);
       const slice = this.#client.milliseconds?.update;
       const timings = { ...this.#facts.get("timings"), ...answer.timings, slice };
       this.#facts.set({ timings });
     } catch (error) {
-      if (!(error instanceof Superseded)) this.#messages.error(error, { topic: "update" });
+      if (error instanceof Superseded) return;
+      this.#settings.forget();
+      this.#messages.error(error, { topic: "update" });
     }
   }
 

@@ -1,8 +1,5 @@
 import { Superseded } from "../core/client.js";
-import { qualitySource } from "../state/quantity.js";
-
-/** Parts of the description, the quick ones first. */
-const PARTS = ["faces", "edges", "layers", "vertices", "findings"];
+import { quantityOf } from "../state/quantity.js";
 
 /**
  * Keeps statistics, histogram and the mesh's description up to date: each is asked for after the picture stands, and
@@ -28,17 +25,17 @@ export class Measures {
   }
 
   async #fill() {
-    const { facts, drawing, client } = this.#app;
+    const { facts, drawing, client, tables } = this.#app;
     await this.#measure();
     const summary = facts.get("summary");
     let describe = 0;
-    for (const part of PARTS) {
+    for (const part of tables.described) {
       const found = await this.#ask("describe", [part], "describe");
       if (!found || facts.get("summary") !== summary) return;
       describe += client.milliseconds?.describe ?? 0;
       facts.set({ description: { ...facts.get("description"), ...found } });
       if (found.cells_per_depth) facts.set({ layers: found.cells_per_depth.length });
-      if (part === "edges") await drawing.update({});
+      if (part === "edges") await drawing.update();
     }
     this.#app.note({ describe });
   }
@@ -53,17 +50,17 @@ export class Measures {
     const { facts, store, client } = this.#app;
     const summary = facts.get("summary");
     if (!summary || facts.get("core") !== "ready") return;
-    const { id } = qualitySource(this.#app);
+    const { id } = quantityOf(this.#app);
     const { bins } = store.status.histogram;
     const asked = JSON.stringify([bins, store.status.colour.range]);
     const known = facts.get("histogram");
-    if (known?.source === id && known.asked === asked) return;
+    if (known?.quantity === id && known.asked === asked) return;
     const statistics = facts.get("statistics")?.[id] ?? (await this.#ask("quality", [id], "quality"));
     const histogram = await this.#ask("histogram", [id, bins], "histogram");
-    if (!histogram || facts.get("summary") !== summary || qualitySource(this.#app).id !== id) return;
+    if (!histogram || facts.get("summary") !== summary || quantityOf(this.#app).id !== id) return;
     facts.set({
       statistics: { ...facts.get("statistics"), ...(statistics ? { [id]: statistics } : {}) },
-      histogram: { ...histogram, source: id, asked },
+      histogram: { ...histogram, quantity: id, asked },
     });
     this.#app.note({ quality: client.milliseconds?.quality });
   }

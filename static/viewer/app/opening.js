@@ -6,19 +6,19 @@ import { count } from "../state/numbers.js";
 /**
  * Where a mesh comes from. `bytes` may be called again, when the core had to be restarted.
  *
- * @typedef {object} Source
+ * @typedef {object} Origin
  * @property {string} name
  * @property {(report: (fraction: number | null, text?: string) => void) => Promise<ArrayBuffer>} bytes
  * @property {{ source: any, mesh: any } | null} [entry] of the catalogue
  * @property {any} [status] partial document to apply with the mesh
  */
 
-/** @param {File} file @returns {Source} */
+/** @param {File} file @returns {Origin} */
 export function fromFile(file) {
   return { name: file.name, bytes: () => file.arrayBuffer() };
 }
 
-/** @param {string} address @returns {Source} */
+/** @param {string} address @returns {Origin} */
 export function fromUrl(address) {
   const name = decodeURIComponent(new URL(address, location.href).pathname.split("/").pop() || "mesh");
   return { name, bytes: (report) => download(address, report) };
@@ -31,9 +31,9 @@ export function fromUrl(address) {
 export class Opening {
   #app;
   #turn = 0;
-  /** What is on the screen. @type {Source | null} */
+  /** What is on the screen. @type {Origin | null} */
   #current = null;
-  /** What the core holds: another mesh than the screen shows, from when a newer one is asked for until that is there. @type {Source | null} */
+  /** What the core holds: another mesh than the screen shows, from when a newer one is asked for until that is there. @type {Origin | null} */
   #held = null;
 
   /** @param {any} app */
@@ -42,35 +42,35 @@ export class Opening {
   }
 
   /**
-   * @param {Source} source
+   * @param {Origin} origin
    * @returns {Promise<any>} the mesh's summary
    * @throws {Superseded} if another mesh was opened meanwhile
    * @throws {Error} what could not be read, in words that were also shown
    */
-  async open(source) {
+  async open(origin) {
     const { progress, messages, client } = this.#app;
     const turn = ++this.#turn;
     const began = performance.now();
-    const task = progress.begin(`fetching ${source.name}`);
+    const task = progress.begin(`fetching ${origin.name}`);
     const current = () => {
       if (turn !== this.#turn) throw new Superseded();
     };
     try {
-      const preview = this.#preview(source, current);
-      const bytes = await source.bytes((fraction, text) => task.report(fraction, text));
+      const preview = this.#preview(origin, current);
+      const bytes = await origin.bytes((fraction, text) => task.report(fraction, text));
       current();
-      task.report(null, this.#app.facts.get("core") === "ready" ? this.#reading(source) : "starting Python");
+      task.report(null, this.#app.facts.get("core") === "ready" ? this.#reading(origin) : "starting Python");
       await client.ready;
       current();
-      task.report(null, this.#reading(source));
-      const summary = await client.call("open", [source.name, bytes], { replace: "open" });
-      this.#held = source;
-      if (turn !== this.#turn) this.#app.drawing.ready = false;
+      task.report(null, this.#reading(origin));
+      const summary = await client.call("open", [origin.name, bytes], { replace: "open" });
+      this.#held = origin;
+      if (turn !== this.#turn) this.#app.drawing.pause();
       current();
       const previewed = await preview;
-      this.#current = source;
+      this.#current = origin;
       messages.settle("open");
-      await this.#begin(source, summary, previewed);
+      await this.#begin(origin, summary, previewed);
       this.#app.note({ ...summary.timings, first_picture: performance.now() - began });
       task.end();
       this.#app.measures.fill();
@@ -91,41 +91,41 @@ export class Opening {
     const bytes = await this.#current.bytes(() => {});
     await client.call("open", [this.#current.name, bytes], { replace: "open" });
     this.#held = this.#current;
-    drawing.ready = true;
+    drawing.begin();
     await drawing.update();
     measures.fill();
   }
 
-  /** @param {Source} source */
-  #reading(source) {
-    const cells = source.entry?.mesh.cells;
-    return cells ? `reading ${count(cells)} cells` : `reading ${source.name}`;
+  /** @param {Origin} origin */
+  #reading(origin) {
+    const cells = origin.entry?.mesh.cells;
+    return cells ? `reading ${count(cells)} cells` : `reading ${origin.name}`;
   }
 
   /**
    * Make a mesh the one on the screen.
    *
-   * @param {Source} source @param {any} summary @param {boolean} previewed whether its preview is on the screen already
+   * @param {Origin} origin @param {any} summary @param {boolean} previewed whether its preview is on the screen already
    */
-  async #begin(source, summary, previewed) {
+  async #begin(origin, summary, previewed) {
     const { facts, drawing, documents } = this.#app;
-    if (!previewed) this.#enter(source, summary);
+    if (!previewed) this.#enter(origin, summary);
     facts.set({ summary });
-    this.#identify(source, summary);
-    drawing.ready = true;
-    if (source.status) await documents.apply(source.status);
+    this.#identify(origin, summary);
+    drawing.begin();
+    if (origin.status) await documents.apply(origin.status);
     await drawing.update();
     await drawing.drawn();
   }
 
-  /** Clear away what belonged to the mesh before. @param {Source} source @param {any} summary */
-  #enter(source, summary) {
+  /** Clear away what belonged to the mesh before. @param {Origin} origin @param {any} summary */
+  #enter(origin, summary) {
     const { facts, store, scene, drawing } = this.#app;
     const { filters, camera } = store.defaults;
     const { by, attribute } = store.status.colour;
     const known =
       by !== "attribute" || summary.attributes?.some((/** @type {any} */ one) => one.id === attribute);
-    drawing.ready = false;
+    drawing.pause();
     store.set(
       { filters, camera, colour: { range: null, ...(known ? {} : { by: "sides", attribute: "" }) } },
       { undo: false },
@@ -134,8 +134,8 @@ export class Opening {
     scene.setMesh(summary);
     facts.set({
       summary,
-      entry: source.entry ?? null,
-      source: source.entry?.source ?? null,
+      entry: origin.entry ?? null,
+      source: origin.entry?.source ?? null,
       description: null,
       statistics: {},
       histogram: null,
@@ -149,21 +149,21 @@ export class Opening {
     });
   }
 
-  /** @param {Source} source @param {any} summary */
-  #identify(source, summary) {
-    const sha256 = source.entry?.mesh.sha256 ?? "";
-    this.#app.store.set({ mesh: { name: source.name, cells: summary.cells, sha256 } }, { undo: false });
+  /** @param {Origin} origin @param {any} summary */
+  #identify(origin, summary) {
+    const sha256 = origin.entry?.mesh.sha256 ?? "";
+    this.#app.store.set({ mesh: { name: origin.name, cells: summary.cells, sha256 } }, { undo: false });
   }
 
-  /** Show a catalogue mesh's preview while the core starts. @param {Source} source @param {() => void} current @returns {Promise<boolean>} */
-  async #preview(source, current) {
-    const address = source.entry?.mesh.preview;
+  /** Show a catalogue mesh's preview while the core starts. @param {Origin} origin @param {() => void} current @returns {Promise<boolean>} */
+  async #preview(origin, current) {
+    const address = origin.entry?.mesh.preview;
     if (!address || this.#app.facts.get("core") === "ready") return false;
     try {
       const packed = unpack(await download(address, () => {}));
       current();
       if (this.#app.facts.get("core") === "ready") return false;
-      this.#enter(source, packed.summary);
+      this.#enter(origin, packed.summary);
       this.#app.drawing.show(packed);
       return true;
     } catch {

@@ -1,6 +1,6 @@
 import { mapColours } from "../colours/palettes.js";
 import { toCsv, toPng, toSvg } from "../charts/export.js";
-import { qualitySource } from "../state/quantity.js";
+import { quantityOf } from "../state/quantity.js";
 import { writeStatus } from "../files/png_text.js";
 import { statusToHash } from "../state/link.js";
 
@@ -50,8 +50,8 @@ export class Saving {
   async saveHistogram(format) {
     await this.#tried(async () => {
       const blob = await this.histogram(format);
-      const source = this.#app.facts.get("histogram")?.source ?? "";
-      if (blob) saveFile(blob, `${this.stem}-${source.replace(/[^\w-]+/g, "-")}.${format}`);
+      const quantity = this.#app.facts.get("histogram")?.quantity ?? "";
+      if (blob) saveFile(blob, `${this.stem}-${quantity.replace(/[^\w-]+/g, "-")}.${format}`);
     });
   }
 
@@ -61,15 +61,15 @@ export class Saving {
     const data = facts.get("histogram");
     if (!data) return null;
     if (format === "csv") return new Blob([toCsv(data)], { type: "text/csv" });
-    const source = qualitySource(this.#app);
+    const quantity = quantityOf(this.#app);
     const { orientation, scale } = store.status.histogram;
-    const title = `${source.name}, ${facts.get("summary")?.name ?? ""}`;
+    const title = `${quantity.name}, ${facts.get("summary")?.name ?? ""}`;
     const svg = toSvg(data, {
       orientation,
       scale,
       title,
       colour: mapColours(store.status.colour.map),
-      acceptable: source.acceptable,
+      acceptable: quantity.acceptable,
     });
     if (format === "svg") return new Blob([svg], { type: "image/svg+xml" });
     return writeStatus(await toPng(svg), JSON.stringify(store.status));

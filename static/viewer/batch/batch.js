@@ -87,7 +87,7 @@ export class Batch {
       const histogram = await this.#app.saving.histogram("png");
       if (histogram)
         made.push({
-          name: `${stem}-${this.#app.facts.get("histogram").source.replace(/[^\w-]+/g, "-")}.png`,
+          name: `${stem}-${this.#app.facts.get("histogram").quantity.replace(/[^\w-]+/g, "-")}.png`,
           bytes: await bytesOf(histogram),
         });
       return { row: { ...rowOf(mesh.name, summary), ...(await this.#measure()) }, made };

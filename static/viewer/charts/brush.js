@@ -16,7 +16,7 @@ const CLICK = 3;
  * over the bars, and nothing hidden after a double click.
  *
  * @param {SVGElement} svg
- * @param {{ band: () => Item | undefined, write: (item: Item | null, undo: string) => void, done: () => void, source: () => string }} filter
+ * @param {{ band: () => Item | undefined, write: (item: Item | null, undo: string) => void, done: () => void, quantity: () => string }} filter
  */
 export function brush(svg, filter) {
   const still = s("g");
@@ -54,7 +54,7 @@ export function brush(svg, filter) {
     if (Math.abs(at - drag.start) < CLICK) return;
     const [a, b] = [valueUnder(layout, drag.start), valueUnder(layout, at)];
     filter.write(
-      { source: filter.source(), keep: "inside", minimum: Math.min(a, b), maximum: Math.max(a, b) },
+      { quantity: filter.quantity(), keep: "inside", minimum: Math.min(a, b), maximum: Math.max(a, b) },
       "histogram",
     );
   });

@@ -1,7 +1,10 @@
+import { unpack } from "../files/packing.js";
+import { question } from "./question.js";
+
 /**
- * The page's end of the core: calls methods of the Python `Session` that lives in a worker.
+ * The page's end of the core: calls methods of the Python `Session`, wherever that runs.
  *
- *     const client = new CoreClient({ worker: "viewer/worker.js", runtime: "runtime/" });
+ *     const client = new CoreClient(new WorkerTransport({ worker: "viewer/worker.js", runtime: "runtime/" }));
  *     await client.ready;
  *     const summary = await client.call("open", ["cube.mesh", bytes]);
  *
@@ -9,7 +12,21 @@
  * the same key that still waits (whose promise is rejected with `Superseded`), so that a pointer never queues.
  *
  * Events: "busy" when the first call starts and "idle" when the last has ended; "identified" ({sha256}) some time
- * after a file is opened; "died" and "restarted" when the worker had to be replaced.
+ * after a file is opened; "died" and "restarted" when the core had to be started anew.
+ *
+ * @typedef {{ kind: string, message: string }} Failure  `kind` is the Python exception's name, e.g. "MeshReadError"
+ *
+ * @typedef {object} Listener  what a transport tells
+ * @property {(timings: { interpreter: number, core: number }) => void} ready the core can be asked; milliseconds of its start
+ * @property {(failure: Failure) => void} failed it can't be started
+ * @property {(id: number, packed: ArrayBuffer, milliseconds: number) => void} answered
+ * @property {(failure: Failure) => void} broken it can't go on, with the question that is under way if there is one
+ * @property {(id: number, sha256: string) => void} identified the file that the question with this id opened
+ *
+ * @typedef {object} Transport  the way to a core: a worker, a server, a notebook's kernel
+ * @property {(listener: Listener) => void} start starts a core
+ * @property {(question: import("./question.js").Question) => void} send one question; the next comes after its answer
+ * @property {() => void} stop ends the core, which then tells nothing more
  */
 
 /** A newer call with the same key came before this one was sent. */
@@ -17,9 +34,9 @@ export class Superseded extends Error {
   name = "Superseded";
 }
 
-/** What the core said: `kind` is the Python exception's name, e.g. "MeshReadError". */
+/** What the core said. */
 export class CoreError extends Error {
-  /** @param {{kind: string, message: string}} error */
+  /** @param {Failure} failure */
   constructor({ kind, message }) {
     super(message);
     this.name = "CoreError";
@@ -28,14 +45,13 @@ export class CoreError extends Error {
 }
 
 /**
- * @typedef {{id: number, method: string, args: unknown[], replace?: string, transfer: Transferable[],
- *   resolve: (value: any) => void, reject: (error: Error) => void}} Call
+ * @typedef {{ id: number, method: string, args: readonly unknown[] | (() => readonly unknown[]), replace?: string,
+ *   resolve: (value: any) => void, reject: (error: Error) => void }} Call
  */
 
 export class CoreClient extends EventTarget {
-  #worker;
-  #makeWorker;
-  #runtime;
+  /** @type {Transport} */
+  #transport;
   #sequence = 0;
   /** @type {Call[]} */
   #waiting = [];
@@ -44,54 +60,47 @@ export class CoreClient extends EventTarget {
   /** Number of the call that opened the present mesh. */
   #opened = 0;
   #booted = false;
-  /** Milliseconds of the last call of each method, measured in the worker. @type {Record<string, number>} */
+  /** Milliseconds of the last call of each method, measured where the core runs. @type {Record<string, number>} */
   milliseconds = {};
 
-  /**
-   * @param {{worker: string | URL, runtime: string | URL, makeWorker?: () => Worker}} options
-   *   `worker`: address of the bundled worker; `runtime`: of the interpreter's folder, ending in a slash
-   */
-  constructor({ worker, runtime, makeWorker }) {
+  /** @param {Transport} transport */
+  constructor(transport) {
     super();
-    this.#runtime = String(runtime);
-    this.#makeWorker = makeWorker ?? (() => new Worker(worker, { type: "module", name: "hexalab core" }));
-    this.#worker = this.#start();
+    this.#transport = transport;
+    this.#start();
   }
 
-  /** @returns {Worker} */
   #start() {
     this.#booted = false;
-    const worker = this.#makeWorker();
-    /** Settles when Python is ready: `{interpreter, core}` milliseconds. @type {Promise<{interpreter: number, core: number}>} */
+    /** Settles when the core runs: milliseconds of its start. @type {Promise<{ interpreter: number, core: number }>} */
     this.ready = new Promise((resolve, reject) => {
-      worker.onmessage = ({ data }) => {
-        if (data.ready) {
+      this.#transport.start({
+        ready: (timings) => {
           this.#booted = true;
-          resolve(data.ready);
+          resolve(timings);
           this.#next();
-        } else if (data.failed) reject(new CoreError(data.failed));
-        else this.#receive(data);
-      };
-      worker.onerror = (event) => {
-        event.preventDefault?.();
-        const error = new CoreError({
-          kind: "WorkerError",
-          message: event.message || "The core could not start.",
-        });
-        reject(error);
-        if (this.#booted) this.restart();
-      };
+        },
+        failed: (failure) => reject(new CoreError(failure)),
+        broken: (failure) => {
+          reject(new CoreError(failure));
+          if (this.#booted) this.#break(failure);
+        },
+        answered: (id, packed, milliseconds) => this.#receive(id, packed, milliseconds),
+        identified: (id, sha256) => {
+          // A file that could not be read, or was followed by another, is not what is open.
+          if (id === this.#opened) this.dispatchEvent(new CustomEvent("identified", { detail: { sha256 } }));
+        },
+      });
     });
     this.ready.catch((error) => this.#fail(error));
-    worker.postMessage({ boot: this.#runtime });
-    return worker;
   }
 
   /**
    * Call a method of `Session`.
+   *
    * @param {string} method
-   * @param {unknown[]} [args] ArrayBuffers among them are handed over, not copied
-   * @param {{replace?: string}} [options]
+   * @param {Call["args"]} [args] ArrayBuffers among them are handed over, not copied; a function makes them when the call is sent
+   * @param {{ replace?: string }} [options]
    * @returns {Promise<any>}
    */
   call(method, args = [], { replace } = {}) {
@@ -100,8 +109,7 @@ export class CoreClient extends EventTarget {
         const index = this.#waiting.findIndex((call) => call.replace === replace);
         if (index >= 0) this.#waiting.splice(index, 1)[0].reject(new Superseded());
       }
-      const transfer = args.filter((argument) => argument instanceof ArrayBuffer);
-      this.#waiting.push({ id: ++this.#sequence, method, args, replace, transfer, resolve, reject });
+      this.#waiting.push({ id: ++this.#sequence, method, args, replace, resolve, reject });
       this.#next();
     });
   }
@@ -111,17 +119,17 @@ export class CoreClient extends EventTarget {
     return this.#waiting.length + (this.#running ? 1 : 0);
   }
 
-  /** Replace the worker; calls under way and waiting are rejected, the mesh has to be opened again. */
+  /** Start the core anew; calls under way and waiting are rejected, the mesh has to be opened again. */
   restart() {
-    this.#worker.terminate();
+    this.#transport.stop();
     this.dispatchEvent(new Event("died"));
     this.#fail(new CoreError({ kind: "WorkerError", message: "The core stopped and was started again." }));
-    this.#worker = this.#start();
+    this.#start();
     this.ready?.then(() => this.dispatchEvent(new Event("restarted"))).catch(() => {});
   }
 
   dispose() {
-    this.#worker.terminate();
+    this.#transport.stop();
     this.#fail(new CoreError({ kind: "WorkerError", message: "The core was closed." }));
   }
 
@@ -131,33 +139,31 @@ export class CoreClient extends EventTarget {
     if (!call) return;
     this.#running = call;
     this.dispatchEvent(new CustomEvent("busy", { detail: { method: call.method } }));
-    this.#worker.postMessage({ id: call.id, method: call.method, args: call.args }, call.transfer);
+    const args = typeof call.args === "function" ? call.args() : call.args;
+    this.#transport.send(question(call.id, call.method, args));
   }
 
-  /** @param {{id?: number, result?: unknown, error?: any, milliseconds?: number, opened?: number, sha256?: string}} data */
-  #receive(data) {
-    if (data.sha256) {
-      // A file that could not be read, or was followed by another, is not what is open.
-      if (data.opened !== this.#opened) return;
-      this.dispatchEvent(new CustomEvent("identified", { detail: { sha256: data.sha256 } }));
-      return;
-    }
+  /** @param {number} id @param {ArrayBuffer} packed @param {number} milliseconds */
+  #receive(id, packed, milliseconds) {
     const call = this.#running;
-    if (!call || call.id !== data.id) return;
+    if (!call || call.id !== id) return;
     this.#running = null;
-    if (data.milliseconds !== undefined) this.milliseconds[call.method] = data.milliseconds;
-    if (data.error?.fatal) {
-      call.reject(new CoreError(data.error));
-      this.restart();
-      return;
-    }
-    if (data.error) call.reject(new CoreError(data.error));
+    this.milliseconds[call.method] = milliseconds;
+    const { error, result } = unpack(packed);
+    if (error) call.reject(new CoreError(error));
     else {
-      if (call.method === "open") this.#opened = call.id;
-      call.resolve(data.result);
+      if (call.method === "open") this.#opened = id;
+      call.resolve(result);
     }
     this.#next();
     if (!this.pending) this.dispatchEvent(new Event("idle"));
+  }
+
+  /** @param {Failure} failure */
+  #break(failure) {
+    this.#running?.reject(new CoreError(failure));
+    this.#running = null;
+    this.restart();
   }
 
   /** @param {Error} error */

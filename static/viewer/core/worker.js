@@ -1,16 +1,16 @@
 /**
- * The core's worker: boots Pyodide once, then answers `{id, method, args}` by calling that method of `Session`.
+ * The core's worker: boots Pyodide once, then answers questions (`question.js`) through the Python `Door`.
  *
- * Arrays in a result leave as typed arrays on the transfer list, after the one copy that WebAssembly memory needs.
+ * An answer is one packed block: its arrays are copied once, from WebAssembly memory to where the page will have them.
  * File bytes come in as an ArrayBuffer and are copied once into Python.
+ *
+ * @typedef {import("./question.js").Question} Question
  */
-
-/** @typedef {{id: number, method: string, args: unknown[]}} Question */
 
 /** @type {any} */
 let pyodide;
 /** @type {any} */
-let session;
+let door;
 /** Whether a question has come yet. */
 let asked = false;
 
@@ -31,100 +31,48 @@ async function boot(runtime) {
     lockFileURL: `${runtime}pyodide-lock.json`,
     stdLibURL: `${runtime}python_stdlib.zip`,
     packages: ["hexalab"],
-    convertNullToNone: true,
     checkIntegrity: true,
   });
   const interpreter = performance.now();
-  const { Session } = pyodide.pyimport("hexalab.session");
-  session = Session();
-  setTimeout(() => asked || pyodide.pyimport("hexalab.session.warm_up").warm_up(Session()), IDLE);
+  const { Door } = pyodide.pyimport("hexalab.session.door");
+  door = Door();
+  setTimeout(() => asked || pyodide.pyimport("hexalab.session.warm_up").warm_up(Door()), IDLE);
   return { interpreter: interpreter - began, core: performance.now() - interpreter };
 }
 
 /**
- * A Python value as JavaScript; numpy arrays become typed arrays of their own memory, noted in `transfer`.
- * @param {any} value
- * @param {Transferable[]} transfer
+ * The block that a laid-out answer makes (`hexalab.packing.Packed`).
+ *
+ * @param {any} packed
+ * @returns {ArrayBuffer}
  */
-function toJavaScript(value, transfer) {
-  if (!(value instanceof pyodide.ffi.PyProxy)) return value;
-  const converted = value.toJs({
-    create_pyproxies: false,
-    dict_converter: Object.fromEntries,
-    default_converter: (/** @type {any} */ proxy) => leaf(proxy, transfer),
-  });
-  value.destroy();
-  return withNulls(converted);
-}
-
-/**
- * None as null, as JSON has it: Pyodide makes it undefined, which in a settings document would mean "not said".
- * @param {any} value changed in place
- * @returns {any}
- */
-function withNulls(value) {
-  if (value === undefined) return null;
-  if (typeof value === "object" && value !== null && !ArrayBuffer.isView(value))
-    for (const key of Object.keys(value)) value[key] = withNulls(value[key]);
-  return value;
-}
-
-/**
- * @param {any} proxy
- * @param {Transferable[]} transfer
- */
-function leaf(proxy, transfer) {
-  if (!(proxy instanceof pyodide.ffi.PyBuffer)) return proxy.item();
-  const buffer = proxy.getBuffer();
-  try {
-    const copy = buffer.data.slice();
-    transfer.push(copy.buffer);
-    return copy;
-  } finally {
+function joined(packed) {
+  const block = new Uint8Array(packed.size);
+  const head = packed.head.toJs();
+  block.set(head);
+  for (const row of packed.arrays) {
+    const [offset, array] = row;
+    const buffer = array.getBuffer("u8");
+    block.set(buffer.data, head.length + offset);
     buffer.release();
+    array.destroy();
+    row.destroy();
   }
-}
-
-/** @param {unknown} argument */
-function toPython(argument) {
-  if (argument instanceof ArrayBuffer) return pyodide.toPy(new Uint8Array(argument));
-  return pyodide.toPy(argument, { depth: -1 });
-}
-
-/** @param {any} error @returns {{kind: string, message: string, fatal: boolean}} */
-function describeError(error) {
-  if (pyodide && error instanceof pyodide.ffi.PythonError) {
-    const lines = error.message.trimEnd().split("\n");
-    const last = lines.findLastIndex((/** @type {string} */ line) => /^[\w.]+(:|$)/.test(line));
-    const [, path, message] = /^([\w.]+):?\s*([\s\S]*)$/.exec(lines.slice(last).join("\n")) ?? [];
-    return {
-      kind: (path ?? error.type).split(".").pop() ?? error.type,
-      message: message ?? "",
-      fatal: false,
-    };
-  }
-  return { kind: error?.name ?? "Error", message: String(error?.message ?? error), fatal: true };
+  return block.buffer;
 }
 
 /** @param {Question} question */
-function answer({ id, method, args }) {
+function answer({ id, method, text, blocks }) {
   const began = performance.now();
-  /** @type {any[]} */
-  let given = [];
-  try {
-    given = args.map(toPython);
-    /** @type {Transferable[]} */
-    const transfer = [];
-    const result = toJavaScript(session[method](...given), transfer);
-    postMessage({ id, result, milliseconds: performance.now() - began }, transfer);
-  } catch (error) {
-    postMessage({ id, error: describeError(error) });
-  } finally {
-    for (const argument of given) argument?.destroy?.();
-  }
+  const given = pyodide.toPy(blocks.map((block) => new Uint8Array(block)));
+  const laidOut = door.answer(method, text, given);
+  const packed = joined(laidOut);
+  laidOut.destroy();
+  given.destroy();
+  postMessage({ id, packed, milliseconds: performance.now() - began }, [packed]);
 }
 
-/** The file that is to be identified once nothing else is asked for. @type {{ opened: number, bytes: ArrayBuffer } | null} */
+/** The file that is to be identified once nothing else is asked for. @type {{ id: number, bytes: ArrayBuffer } | null} */
 let unidentified = null;
 let waiting = 0;
 
@@ -136,11 +84,16 @@ function identifySoon() {
 
 async function identify() {
   if (!unidentified) return;
-  const { opened, bytes } = unidentified;
+  const { id, bytes } = unidentified;
   unidentified = null;
   const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
   const sha256 = Array.from(digest, (byte) => byte.toString(16).padStart(2, "0")).join("");
-  postMessage({ opened, sha256 });
+  postMessage({ id, sha256 });
+}
+
+/** @param {any} error @returns {{ kind: string, message: string }} */
+function described(error) {
+  return { kind: error?.name ?? "Error", message: String(error?.message ?? error) };
 }
 
 self.onmessage = async ({ data }) => {
@@ -148,13 +101,17 @@ self.onmessage = async ({ data }) => {
     try {
       postMessage({ ready: await boot(data.boot) });
     } catch (error) {
-      postMessage({ failed: describeError(error) });
+      postMessage({ failed: described(error) });
     }
     return;
   }
   asked = true;
-  answer(data);
-  const bytes = data.method === "open" && data.args[1];
-  if (bytes instanceof ArrayBuffer) unidentified = { opened: data.id, bytes };
+  try {
+    answer(data);
+  } catch (error) {
+    postMessage({ broken: described(error) }); // Python tells its own errors in its answer: this is the end of it
+    return;
+  }
+  if (data.method === "open" && data.blocks.length) unidentified = { id: data.id, bytes: data.blocks[0] };
   identifySoon();
 };

@@ -1,4 +1,4 @@
-import { parse, problemsInWords } from "../app/documents.js";
+import { parse, rejectionsInWords } from "../app/documents.js";
 import { h } from "../widgets/dom.js";
 import { dialog } from "./dialog.js";
 
@@ -22,9 +22,9 @@ export function statusDialog({ app }) {
 
   async function run() {
     try {
-      const problems = await app.documents.apply(parse(text.value, "the text"));
-      problem.textContent = problems.length ? problemsInWords(problems) : "";
-      if (!problems.length) element.close();
+      const rejections = await app.documents.apply(parse(text.value, "the text"));
+      problem.textContent = rejections.length ? rejectionsInWords(rejections) : "";
+      if (!rejections.length) element.close();
     } catch (error) {
       problem.textContent = error instanceof Error ? error.message : String(error);
     }

@@ -1,5 +1,5 @@
 import { kindsInWords } from "../panels/mesh.js";
-import { qualitySource } from "../state/quantity.js";
+import { quantityOf } from "../state/quantity.js";
 import { decimal } from "../state/numbers.js";
 import { watch } from "../widgets/bind.js";
 import { setText } from "../widgets/dom.js";
@@ -29,8 +29,8 @@ function sentences(context) {
   const summary = facts.get("summary");
   if (!summary) return [];
   const { filters, colour } = store.status;
-  const source = qualitySource(context);
-  const statistics = facts.get("statistics")?.[source.id];
+  const quantity = quantityOf(context);
+  const statistics = facts.get("statistics")?.[quantity.id];
   const cuts = filters.planes.enabled
     ? filters.planes.items.filter((/** @type {any} */ plane) => plane.enabled && plane.offset > 0)
     : [];
@@ -44,9 +44,9 @@ function sentences(context) {
     filters.peel.enabled && filters.peel.depth ? `Peeled by ${filters.peel.depth}.` : "",
     colour.by === "sides"
       ? "Boundary faces and exposed faces differ in colour."
-      : `Coloured by ${colour.by === "kind" ? "cell kind" : source.name}.`,
+      : `Coloured by ${colour.by === "kind" ? "cell kind" : quantity.name}.`,
     statistics
-      ? `${source.name}: from ${decimal(statistics.min)} to ${decimal(statistics.max)}, mean ${decimal(statistics.mean)}.`
+      ? `${quantity.name}: from ${decimal(statistics.min)} to ${decimal(statistics.max)}, mean ${decimal(statistics.mean)}.`
       : "",
   ].filter(Boolean);
 }

@@ -1,6 +1,6 @@
 import { mapColours } from "../colours/palettes.js";
 import { bandOf, withBand } from "./quality_filter.js";
-import { qualitySource } from "../state/quantity.js";
+import { quantityOf } from "../state/quantity.js";
 import { decimal } from "../state/numbers.js";
 import { watch } from "../widgets/bind.js";
 import { h, s, setText } from "../widgets/dom.js";
@@ -28,14 +28,14 @@ export function histogramPanel(context) {
     band: () => bandOf(context),
     write: (item, undo) => context.store.set(withBand(context, item), { undo }),
     done: () => context.store.seal(),
-    source: () => qualitySource(context).id,
+    quantity: () => quantityOf(context).id,
   });
 
   function draw() {
     const data = context.facts.get("histogram");
     element.hidden = !data;
     if (!data || !element.clientWidth) return;
-    const source = qualitySource(context);
+    const quantity = quantityOf(context);
     const { orientation, scale } = context.store.status.histogram;
     const frame = {
       width: element.clientWidth,
@@ -51,14 +51,14 @@ export function histogramPanel(context) {
       ink: token("--ink"),
       quiet: token("--quiet"),
       line: token("--edge"),
-      acceptable: source.acceptable,
+      acceptable: quantity.acceptable,
     };
     svg.setAttribute("viewBox", `0 0 ${frame.width} ${frame.height}`);
     svg.setAttribute("width", String(frame.width));
     svg.setAttribute("height", String(frame.height));
-    svg.setAttribute("aria-label", `Histogram of ${source.name}`);
+    svg.setAttribute("aria-label", `Histogram of ${quantity.name}`);
     hand.draw(layout, marks(layout, data, look));
-    setText(caption, inWords(data, source));
+    setText(caption, inWords(data, quantity));
     note.hidden = !data.not_finite;
     setText(
       note,
@@ -78,10 +78,10 @@ export function histogramPanel(context) {
   return element;
 }
 
-/** @param {import("../charts/histogram_layout.js").HistogramData} data @param {import("../state/quantity.js").Source} source */
-function inWords(data, source) {
+/** @param {import("../charts/histogram_layout.js").HistogramData} data @param {import("../state/quantity.js").Quantity} quantity */
+function inWords(data, quantity) {
   const counts = Array.from(data.counts, Number);
   const peak = counts.indexOf(Math.max(...counts));
   const between = `${decimal(Number(data.edges[peak]))} and ${decimal(Number(data.edges[peak + 1]))}`;
-  return `${source.name} from ${decimal(data.low)} to ${decimal(data.high)}; most values, ${counts[peak]}, lie between ${between}.`;
+  return `${quantity.name} from ${decimal(data.low)} to ${decimal(data.high)}; most values, ${counts[peak]}, lie between ${between}.`;
 }

@@ -2,7 +2,7 @@ import { count, decimal } from "../state/numbers.js";
 import { watch } from "../widgets/bind.js";
 import { h } from "../widgets/dom.js";
 import { histogramPanel } from "./histogram.js";
-import { chooseSource, qualitySource, sourceOptions } from "../state/quantity.js";
+import { chooseQuantity, quantityOf, quantityOptions } from "../state/quantity.js";
 
 /** @typedef {import("../widgets/bind.js").Context} Context */
 
@@ -19,9 +19,9 @@ export const quality = {
       hint: "What is measured (S)",
       status: ["colour"],
       facts: ["summary"],
-      options: sourceOptions,
-      read: (context) => qualitySource(context).id,
-      write: chooseSource,
+      options: quantityOptions,
+      read: (context) => quantityOf(context).id,
+      write: chooseQuantity,
     },
     { kind: "custom", render: histogramPanel },
     { kind: "custom", render: digest },
@@ -86,7 +86,7 @@ export const quality = {
 
 /** @param {Context} context @returns {any} */
 function statisticsOf(context) {
-  return context.facts.get("statistics")?.[qualitySource(context).id];
+  return context.facts.get("statistics")?.[quantityOf(context).id];
 }
 
 const WATCHED = { status: ["colour"], facts: ["statistics", "summary"] };
@@ -115,8 +115,8 @@ function rangeInWords([low, high]) {
   return `${low === null ? "−∞" : decimal(low, 2)} to ${high === null ? "∞" : decimal(high, 2)}`;
 }
 
-/** @param {any} statistics @param {import("../state/quantity.js").Source} source @returns {[string, string][]} */
-function statisticsRows(statistics, source) {
+/** @param {any} statistics @param {import("../state/quantity.js").Quantity} quantity @returns {[string, string][]} */
+function statisticsRows(statistics, quantity) {
   const { percentiles = {} } = statistics;
   /** @type {[string, string][]} */
   const rows = [
@@ -129,9 +129,9 @@ function statisticsRows(statistics, source) {
     ["25, 75", `${decimal(percentiles["25"])}, ${decimal(percentiles["75"])}`],
     ["95, 99", `${decimal(percentiles["95"])}, ${decimal(percentiles["99"])}`],
   ];
-  if (source.acceptable) {
+  if (quantity.acceptable) {
     rows.push(
-      ["Acceptable", rangeInWords(source.acceptable)],
+      ["Acceptable", rangeInWords(quantity.acceptable)],
       ["Outside it", count(statistics.outside_acceptable)],
     );
   }
@@ -146,9 +146,9 @@ function statisticsTable(context) {
   const element = h("table", { class: "table" }, caption, body);
   watch(context, WATCHED, () => {
     const statistics = statisticsOf(context);
-    const source = qualitySource(context);
-    caption.textContent = `Statistics of ${source.name}`;
-    const rows = statistics ? statisticsRows(statistics, source) : [];
+    const quantity = quantityOf(context);
+    caption.textContent = `Statistics of ${quantity.name}`;
+    const rows = statistics ? statisticsRows(statistics, quantity) : [];
     body.replaceChildren(
       ...rows.map(([name, value]) => h("tr", {}, h("th", { scope: "row" }, name), h("td", {}, value))),
     );

@@ -8,7 +8,7 @@ import {
   shareOf,
   thresholdOf,
 } from "../state/quality_filter.js";
-import { qualitySource } from "../state/quantity.js";
+import { quantityOf } from "../state/quantity.js";
 
 /**
  * @typedef {import("../widgets/bind.js").Context} Context
@@ -20,14 +20,14 @@ const FACTS = ["statistics", "histogram", "summary", "keep"];
 
 /** The band on what the Quality panel looks at, if there is one. @param {Context} context @returns {Item | undefined} */
 export function bandOf(context) {
-  const { id } = qualitySource(context);
-  return context.store.valueAt(ITEMS).find((/** @type {Item} */ item) => item.source === id);
+  const { id } = quantityOf(context);
+  return context.store.valueAt(ITEMS).find((/** @type {Item} */ item) => item.quantity === id);
 }
 
-/** The partial status in which the band of this source is another; null takes it away. @param {Context} context @param {Item | null} item */
+/** The partial status in which the band of this quantity is another; null takes it away. @param {Context} context @param {Item | null} item */
 export function withBand(context, item) {
-  const { id } = qualitySource(context);
-  const others = context.store.valueAt(ITEMS).filter((/** @type {Item} */ one) => one.source !== id);
+  const { id } = quantityOf(context);
+  const others = context.store.valueAt(ITEMS).filter((/** @type {Item} */ one) => one.quantity !== id);
   return { filters: { quality: { enabled: true, items: item ? [...others, item] : others } } };
 }
 
@@ -35,7 +35,7 @@ export function withBand(context, item) {
 function currentKeep(context) {
   const item = bandOf(context);
   if (!item) return context.facts.get("keep") ?? "worst";
-  return keepOf(item, qualitySource(context));
+  return keepOf(item, quantityOf(context));
 }
 
 /** @param {Context} context @returns {"worst" | "best"} */
@@ -52,7 +52,7 @@ const endField = (end) => ({
   read: (/** @type {Context} */ context) => bandOf(context)?.[end] ?? null,
   write: (/** @type {number | null} */ value, /** @type {Context} */ context) => {
     const item =
-      bandOf(context) ?? changedKeep(qualitySource(context).id, "band", undefined, qualitySource(context));
+      bandOf(context) ?? changedKeep(quantityOf(context).id, "band", undefined, quantityOf(context));
     return withBand(context, /** @type {Item} */ ({ ...item, [end]: value }));
   },
 });
@@ -69,23 +69,24 @@ export const qualityFilterControls = [
     facts: FACTS,
     range: [0, 1, 0.001],
     hidden: isTwoSided,
-    read: (context) => shareOf(bandOf(context), oneEnd(context), qualitySource(context)),
+    read: (context) => shareOf(bandOf(context), oneEnd(context), quantityOf(context)),
     write: (share, context) => {
-      const source = qualitySource(context);
-      return withBand(context, oneSided(source.id, oneEnd(context), share, source));
+      const quantity = quantityOf(context);
+      return withBand(context, oneSided(quantity.id, oneEnd(context), share, quantity));
     },
     box: {
       initial: 0,
       range: () => [-Infinity, Infinity, 0.01],
       read: (/** @type {Context} */ context) => {
-        const source = qualitySource(context);
+        const quantity = quantityOf(context);
         return (
-          thresholdOf(bandOf(context)) ?? (oneEnd(context) === "worst" ? source.bestValue : source.worstValue)
+          thresholdOf(bandOf(context)) ??
+          (oneEnd(context) === "worst" ? quantity.bestValue : quantity.worstValue)
         );
       },
       write: (/** @type {number} */ value, /** @type {Context} */ context) => {
-        const source = qualitySource(context);
-        return withBand(context, boundedBy(source.id, oneEnd(context), value, source));
+        const quantity = quantityOf(context);
+        return withBand(context, boundedBy(quantity.id, oneEnd(context), value, quantity));
       },
     },
   },
@@ -109,7 +110,7 @@ export const qualityFilterControls = [
     status: [ITEMS, "colour"],
     facts: FACTS,
     options: (context) => {
-      const { symbol, name, attribute } = qualitySource(context);
+      const { symbol, name, attribute } = quantityOf(context);
       return Object.entries(attribute ? KEEP_NAMES_OF_ATTRIBUTES : KEEP_NAMES).map(([value, text]) => ({
         value,
         name: `${text} (${symbol || name})`,
@@ -118,10 +119,10 @@ export const qualityFilterControls = [
     read: currentKeep,
     write: (keep, context) => {
       context.facts.set({ keep });
-      const source = qualitySource(context);
+      const quantity = quantityOf(context);
       const item = bandOf(context);
       if (!item && (keep === "worst" || keep === "best")) return null;
-      return withBand(context, changedKeep(source.id, keep, item, source));
+      return withBand(context, changedKeep(quantity.id, keep, item, quantity));
     },
   },
 ];

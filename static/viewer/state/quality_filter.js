@@ -1,8 +1,8 @@
 /**
  * The quality filter (SPEC F3) as the panel shows it: which end of the values is kept, and its bounds in native values.
  *
- * @typedef {{ source: string, keep: "inside" | "outside", minimum: number | null, maximum: number | null }} Item
- * @typedef {{ best: string, worstValue: number, bestValue: number }} Scale  ends of the slider, in native values
+ * @typedef {{ quantity: string, keep: "inside" | "outside", minimum: number | null, maximum: number | null }} Item
+ * @typedef {{ worstValue: number, bestValue: number }} Scale  ends of the slider, in native values
  * @typedef {"worst" | "best" | "band" | "outside"} Keep
  */
 
@@ -37,19 +37,19 @@ export function keepOf(item, scale) {
 /**
  * The item that keeps one end, its threshold given as a share of the way: 0 hides nothing, 1 hides all but the far end.
  *
- * @param {string} source @param {"worst" | "best"} keep @param {number} share @param {Scale} scale @returns {Item | null}
+ * @param {string} quantity @param {"worst" | "best"} keep @param {number} share @param {Scale} scale @returns {Item | null}
  */
-export function oneSided(source, keep, share, scale) {
+export function oneSided(quantity, keep, share, scale) {
   if (share <= 0) return null;
   const [start, end] =
     keep === "worst" ? [scale.bestValue, scale.worstValue] : [scale.worstValue, scale.bestValue];
-  return boundedBy(source, keep, start + share * (end - start), scale);
+  return boundedBy(quantity, keep, start + share * (end - start), scale);
 }
 
-/** The item with a typed threshold. @param {string} source @param {"worst" | "best"} keep @param {number} value @param {Scale} scale @returns {Item} */
-export function boundedBy(source, keep, value, scale) {
+/** The item with a typed threshold. @param {string} quantity @param {"worst" | "best"} keep @param {number} value @param {Scale} scale @returns {Item} */
+export function boundedBy(quantity, keep, value, scale) {
   const isMaximum = (keep === "worst") === highIsBest(scale);
-  return { source, keep: "inside", minimum: isMaximum ? null : value, maximum: isMaximum ? value : null };
+  return { quantity, keep: "inside", minimum: isMaximum ? null : value, maximum: isMaximum ? value : null };
 }
 
 /** The native threshold of a one-sided item, or null. @param {Item | undefined} item */
@@ -66,18 +66,18 @@ export function shareOf(item, keep, scale) {
   return end === start ? 0 : Math.min(1, Math.max(0, (value - start) / (end - start)));
 }
 
-/** The item when another way of keeping is chosen. @param {string} source @param {Keep} keep @param {Item | undefined} item @param {Scale} scale @returns {Item | null} */
-export function changedKeep(source, keep, item, scale) {
+/** The item when another way of keeping is chosen. @param {string} quantity @param {Keep} keep @param {Item | undefined} item @param {Scale} scale @returns {Item | null} */
+export function changedKeep(quantity, keep, item, scale) {
   const low = Math.min(scale.worstValue, scale.bestValue);
   const high = Math.max(scale.worstValue, scale.bestValue);
   if (keep === "band" || keep === "outside") {
     return {
-      source,
+      quantity,
       keep: keep === "band" ? "inside" : "outside",
       minimum: item?.minimum ?? low,
       maximum: item?.maximum ?? high,
     };
   }
   const value = thresholdOf(item) ?? (keep === "worst" ? scale.bestValue : scale.worstValue);
-  return boundedBy(source, keep, value, scale);
+  return boundedBy(quantity, keep, value, scale);
 }

@@ -1,32 +1,31 @@
 import { metricOf } from "./tables.js";
 
 /**
- * What the Quality panel looks at: a metric or one of the file's attributes, and its scale.
+ * What is looked at, coloured and filtered by: a quantity, that is a metric or one of the file's attributes; and its scale.
  *
  * @typedef {import("../widgets/bind.js").Context} Context
  * @typedef {{ id: string, name: string, symbol: string, attribute: boolean, worstValue: number, bestValue: number,
- *   best: string, acceptable: readonly [number | null, number | null] | null }} Source
+ *   acceptable: readonly [number | null, number | null] | null }} Quantity
  */
 
-/** @param {Context} context @returns {Source} */
-export function qualitySource({ store, facts, tables }) {
+/** @param {Context} context @returns {Quantity} */
+export function quantityOf({ store, facts, tables }) {
   const { by, metric, attribute } = store.status.colour;
   const id = by === "attribute" && attribute ? attribute : metric;
   const row = metricOf(tables, id);
   const histogram = facts.get("histogram");
   const statistics = facts.get("statistics")?.[id];
-  const known = histogram?.source === id ? histogram : null;
+  const known = histogram?.quantity === id ? histogram : null;
   const low = known?.low ?? statistics?.min ?? 0;
   const high = known?.high ?? statistics?.max ?? 1;
-  const best = row?.best ?? "low";
+  const better = row?.better ?? "low";
   return {
     id,
     name: row?.name ?? attributeName(facts.get("summary"), id),
     symbol: row?.symbol ?? "",
     attribute: !row,
-    best,
-    bestValue: statistics?.best_value ?? (best === "low" ? low : high),
-    worstValue: statistics?.worst_value ?? (best === "low" ? high : low),
+    bestValue: statistics?.best_value ?? (better === "low" ? low : high),
+    worstValue: statistics?.worst_value ?? (better === "low" ? high : low),
     acceptable: row?.acceptable_range ?? null,
   };
 }
@@ -37,7 +36,7 @@ function attributeName(summary, id) {
 }
 
 /** Metrics, then the file's attributes, for a combo box. @param {Context} context */
-export function sourceOptions({ facts, tables }) {
+export function quantityOptions({ facts, tables }) {
   const metrics = tables.metrics.map(({ id, name }) => ({ value: id, name, group: "Quality" }));
   const attributes = (facts.get("summary")?.attributes ?? []).map((/** @type {any} */ one) => ({
     value: one.id,
@@ -50,7 +49,7 @@ export function sourceOptions({ facts, tables }) {
 }
 
 /** The partial status that makes a metric or attribute the one looked at. @param {string} id @param {Context} context */
-export function chooseSource(id, { store, tables }) {
+export function chooseQuantity(id, { store, tables }) {
   const { by } = store.status.colour;
   if (metricOf(tables, id))
     return { colour: { metric: id, ...(by === "attribute" ? { by: "quality" } : {}), range: null } };

@@ -6,7 +6,7 @@
  * @property {string} id
  * @property {string} name
  * @property {string} symbol
- * @property {"high" | "low" | "range"} best
+ * @property {"high" | "low"} better
  * @property {readonly [number | null, number | null]} full_range null: unbounded
  * @property {readonly [number | null, number | null] | null} acceptable_range
  *
@@ -15,6 +15,8 @@
  * @typedef {object} Tables
  * @property {string} version of the program
  * @property {Record<string, any>} defaults the status document's
+ * @property {readonly string[]} core_paths settings that concern the core
+ * @property {readonly string[]} described parts of a mesh's description, the quick ones first
  * @property {readonly MetricRow[]} metrics
  * @property {readonly FormatRow[]} formats
  */

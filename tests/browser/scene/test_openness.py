@@ -12,7 +12,7 @@ import pytest
 
 from hexalab.formats import read_bytes
 from hexalab.mesh import Mesh
-from hexalab.surface import Drawing, extract_surface
+from hexalab.surface import DrawnMesh, extract_surface
 
 from .grids import grid_surface, pack
 from .rays import openness
@@ -45,7 +45,7 @@ def gather(stage: Any, surface: dict[str, Any]) -> np.ndarray:
 def surface_of(mesh: Mesh, mode: str) -> dict[str, Any]:
     """Return the surface of the half of a mesh that lies beyond the middle along x."""
     middle = mesh.points[mesh.cells].mean(axis=1)[:, 0]
-    found = extract_surface(Drawing(mesh), middle > (middle.min() + middle.max()) / 2, mode).arrays()
+    found = extract_surface(DrawnMesh(mesh), middle > (middle.min() + middle.max()) / 2, mode).arrays()
     return {k: np.ravel(v) if isinstance(v, np.ndarray) else v for k, v in found.items()}
 
 

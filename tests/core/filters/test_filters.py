@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Iterator
 
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from hexalab.filters import NOTHING_PICKED, Picking, Regulariser, band, dig, isolate, peel, pick, undig
+from hexalab.filters import FilterStack, PickedCells, Regulariser, band, peel, pick
 from tests.core.filters.boxes import box
 from tests.core.topology.checks import topology
 from tests.core.topology.strategies import meshes
@@ -127,19 +128,35 @@ def test_F3_a_cell_without_a_value_lies_outside_of_every_band_of_an_attribute() 
     assert band(values, "inside").tolist() == [False, False]
 
 
-def test_F4_dig_undig_and_isolate() -> None:
-    picking = dig(dig(NOTHING_PICKED, 3), 5)
-    assert picking == Picking(hidden=(3, 5))
-    assert dig(picking, 3) == Picking(hidden=(5, 3)), "no cell stands in a list twice"
-    assert undig(picking, 3) == Picking(hidden=(5,)), "an undug cell leaves the list of the dug"
-    assert dig(undig(NOTHING_PICKED, 7), 7) == NOTHING_PICKED
-    assert undig(isolate([4]), 6) == Picking(isolated=True, shown=(4, 6))
-    assert dig(isolate([4, 6]), 4) == Picking(isolated=True, shown=(6,))
+def picked(hidden: NDArray[np.bool_], isolated: bool, dug: list[int], undug: list[int]) -> list[bool]:
+    cells = [PickedCells(len(hidden)).of(cells) for cells in (dug, undug)]
+    return pick(hidden, isolated, *cells).tolist()
 
 
 def test_F4_picks_over_what_other_filters_hide() -> None:
     hidden = np.array([True, True, False, False])
-    assert pick(hidden, False, [2], [0]).tolist() == [False, True, True, False]
-    assert pick(hidden, True, [], [0]).tolist() == [False, True, True, True]
-    assert pick(hidden, False, [9, -1], [400]).tolist() == hidden.tolist()
-    assert pick(hidden, False, [1], [1]).tolist() == [True, False, False, False]
+    assert picked(hidden, False, [2], [0]) == [False, True, True, False]
+    assert picked(hidden, True, [], [0]) == [False, True, True, True]
+    assert picked(hidden, False, [9, -1], [400]) == hidden.tolist()
+    assert picked(hidden, False, [1], [1]) == [True, False, False, False]
+
+
+class Counted(list[int]):
+    """A list that counts how often it is walked through."""
+
+    walks = 0
+
+    def __iter__(self) -> Iterator[int]:
+        self.walks += 1
+        return super().__iter__()
+
+
+def test_P2_a_list_of_picked_cells_is_walked_through_once() -> None:
+    cells = Counted(range(100_000))
+    stack = FilterStack(box(50, 50, 50), lambda quantity: np.zeros(125_000))
+    for offset in (0.1, 0.2, 0.3):
+        plane = {"normal": [0, 0, 1], "offset": offset}
+        shown = stack.apply({"planes": {"items": [plane]}, "picking": {"hidden": cells}})
+        assert not shown[:100_000].any()
+    assert cells.walks == 1
+    assert stack.apply({"picking": {"hidden": [3], "shown": cells}}).sum() == 125_000

@@ -40,9 +40,9 @@ def by_hand(mesh: Mesh, filters: dict[str, Any]) -> list[bool]:
     if filters["regularisation"]["enabled"]:
         hidden = Regulariser(mesh.topology).regularise(hidden, filters["regularisation"]["strength"])
     for item in filters["quality"]["items"] if filters["quality"]["enabled"] else ():
-        worst = {"scaled_jacobian": -np.inf, "skew": np.inf, "cell:t": np.nan}[item["source"]]
+        worst = {"scaled_jacobian": -np.inf, "skew": np.inf, "cell:t": np.nan}[item["quantity"]]
         ends = item["minimum"], item["maximum"]
-        hidden |= band(VALUES[item["source"]], item["keep"], *ends, worst)
+        hidden |= band(VALUES[item["quantity"]], item["keep"], *ends, worst)
     picking = filters["picking"]
     if picking["enabled"]:
         hidden = pick(hidden, picking["isolated"], picking["hidden"], picking["shown"])
@@ -79,7 +79,7 @@ sections = st.fixed_dictionaries(
                 "items": st.lists(
                     st.fixed_dictionaries(
                         {
-                            "source": st.sampled_from(sorted(VALUES)),
+                            "quantity": st.sampled_from(sorted(VALUES)),
                             "keep": st.sampled_from(["inside", "outside"]),
                             "minimum": end,
                             "maximum": end,

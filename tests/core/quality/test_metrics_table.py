@@ -51,7 +51,7 @@ def test_Q2_the_table_is_complete() -> None:
         assert low < high
         assert metric.name
         assert metric.formula
-        assert metric.worst == (-INF if metric.direction == "high" else INF)
+        assert metric.worst == (-INF if metric.better == "high" else INF)
         if metric.unit_cube is not None:
             assert low <= metric.unit_cube <= high
 
@@ -86,7 +86,7 @@ def test_Q2_phi_and_its_inverse_are_inverse(metric: object, ends: tuple[float, f
 @pytest.mark.parametrize("metric", METRICS.values(), ids=METRICS)
 def test_Q2_one_is_best_and_zero_worst(metric: object) -> None:
     low, high = (0.2, 0.9) if metric.full_range[1] in (1, 3) else (1.2, 7.0)
-    best, worst = (high, low) if metric.direction == "high" else (low, high)
+    best, worst = (high, low) if metric.better == "high" else (low, high)
     good, bad = metric.normalise(np.array([best, worst]), low, high)
     assert good > bad
 

@@ -16,11 +16,12 @@ from hexalab.mesh import Mesh
 from hexalab.packing import unpack
 from hexalab.quality import METRICS, quality_many
 from hexalab.session import DESCRIBED, Session
-from hexalab.status import DEFAULTS
+from hexalab.status import CORE_PATHS, DEFAULTS, core_part, merge
 
 ROOT = Path(__file__).parents[3]
 PICTURES = ROOT.parent / "shared" / "reference" / "pictures"
-BUFFERS = {"surface", "silhouette", "irregular", "colour"}
+ALL = core_part(DEFAULTS)
+RECORDS = {"surface", "silhouette", "irregular", "colour"}
 
 
 def plain(value: Any) -> bool:
@@ -52,6 +53,11 @@ def block(grid: Callable[..., bytes]) -> Session:
     return opened
 
 
+def core_settings(partial: dict[str, Any]) -> dict[str, Any]:
+    """The settings of a checked document under which the core draws, as the page would tell them."""
+    return core_part(merge(DEFAULTS, partial))
+
+
 def shown_of(update: dict[str, Any]) -> set[int]:
     return set((update["surface"]["faces"] // 8).tolist())
 
@@ -65,7 +71,7 @@ def test_A1_summary_of_an_opened_mesh(attributed: bytes) -> None:
     assert summary["extent"] == [[0, 0, 0], [3, 2, 1]]
     assert summary["centre"] == [1.5, 1, 0.5]
     assert summary["diagonal"] == pytest.approx(14**0.5)
-    assert summary["max_depth"] is None
+    assert "max_depth" not in summary
     rows = {row["id"]: row for row in summary["attributes"]}
     assert rows["cell:load"] == {"id": "cell:load", "name": "load", "on": "cell", "min": 0, "max": 5}
     assert (rows["point:flow:1"]["min"], rows["point:flow:1"]["max"]) == (0, 2)
@@ -76,27 +82,29 @@ def test_A1_opening_computes_faces_only(block: Session) -> None:
     topology = block._opened.mesh.topology  # type: ignore[union-attr]
     assert "faces" in vars(topology)
     assert not {"edges", "depth", "_components"} & set(vars(topology))
-    first = block.update(DEFAULTS)
+    first = block.update(ALL)
     assert first["pending"] == ["irregular"]
     assert not {"edges", "depth", "_components"} & set(vars(topology))
 
 
 def test_A1_the_first_update_brings_all_and_the_second_nothing(block: Session) -> None:
-    first = block.update(DEFAULTS)
+    first = block.update(ALL)
     assert plain(first)
-    assert set(first) & BUFFERS == {"surface", "silhouette", "colour"}
+    assert set(first) & RECORDS == {"surface", "silhouette", "colour"}
     assert first["colour"] is None
     assert (first["shown_cells"], first["shown_faces"]) == (64, 96)
+    assert first["max_depth"] is None
     assert len(first["surface"]["faces"]) == 96
-    assert first["problems"] == []
-    second = block.update(first["status"])
-    assert set(second) & BUFFERS == set()
+    second = block.update(ALL)
+    assert set(second) & RECORDS == set()
     assert second["pending"] == ["irregular"]
-    assert second["status"] == first["status"]
+    assert not {"status", "problems", "rejections"} & set(second)
 
 
 @pytest.mark.parametrize("mode", ["lines", "darkness_coded_edges", "fissure", "rounded"])
-def test_P2_what_a_lean_update_leaves_out_comes_with_the_next(block: Session, mode: str) -> None:
+def test_P2_what_a_lean_update_leaves_out_comes_with_the_next(
+    block: Session, grid: Callable[..., bytes], mode: str
+) -> None:
     half = {
         "filters": {"planes": {"items": [{"normal": [1, 0, 0], "offset": 0.5}]}},
         "separation": {"mode": mode},
@@ -105,8 +113,9 @@ def test_P2_what_a_lean_update_leaves_out_comes_with_the_next(block: Session, mo
     assert "silhouette" not in lean
     assert len(lean["surface"]["edges"]) == len(lean["surface"]["edge_cells"]) == 0
     more = block.update(half)
-    block.redraw()
-    whole = block.redraw()
+    afresh = Session()
+    afresh.open("block.mesh", grid(4, 4, 4))
+    whole = afresh.update(half)
     assert len(whole["silhouette"]["positions"]) == len(more["silhouette"]["positions"]) > 0
     lined = mode in ("lines", "darkness_coded_edges")
     assert ("surface" in more) == lined
@@ -114,35 +123,69 @@ def test_P2_what_a_lean_update_leaves_out_comes_with_the_next(block: Session, mo
     for name in ("positions", "normals", "faces", "edges", "edge_cells"):
         assert np.array_equal(surface[name], whole["surface"][name]), name
     assert (len(surface["edges"]) > 0) == lined
-    assert set(block.update(half)) & BUFFERS == set()
+    assert set(block.update(half)) & RECORDS == set()
 
 
-def test_S2_status_round_trip_changes_nothing(block: Session) -> None:
-    block.update(
-        {"filters": {"planes": {"items": [{"normal": [0, 1, 0], "offset": 0.3}]}}, "silhouette": 0.5}
-    )
-    text = json.dumps(block.status)
-    again = block.update(text)
-    assert json.dumps(block.status) == text
-    assert set(again) & BUFFERS == set()
+def test_S2_settings_that_were_told_before_change_nothing(block: Session) -> None:
+    changed = {"filters": {"planes": {"items": [{"normal": [0, 1, 0], "offset": 0.3}]}}, "silhouette": 0.5}
+    block.update(changed)
+    again = block.update(json.loads(json.dumps(changed)))
+    assert set(again) & RECORDS == set()
+    assert set(block.update(merge(ALL, changed))) & RECORDS == set()
+
+
+@pytest.mark.parametrize("mode", ["lines", "fissure"])
+def test_A1_settings_told_one_by_one_draw_what_they_draw_together(
+    block: Session, grid: Callable[..., bytes], mode: str
+) -> None:
+    """What the page sends is what changed: the session's own part of the status must add up."""
+    steps: list[dict[str, Any]] = [
+        {"filters": {"planes": {"items": [{"normal": [1, 0, 0], "offset": 0.3}]}}},
+        {"separation": {"mode": mode}},
+        {"filters": {"peel": {"depth": 1}}},
+        {"separation": {"gap": 0.3}, "colour": {"by": "quality"}},
+        {"filters": {"picking": {"hidden": [21]}, "peel": {"depth": 0}}},
+        {"colour": {"metric": "volume", "range": [0, 2]}, "silhouette": 0.25},
+    ]
+    kept: dict[str, Any] = {}
+    for step in steps:
+        kept = {**kept, **{name: part for name, part in block.update(step).items() if name in RECORDS}}
+    together: dict[str, Any] = {}
+    for step in steps:
+        together = merge(together, step)
+    afresh = Session()
+    afresh.open("block.mesh", grid(4, 4, 4))
+    whole = afresh.update(together)
+    for record in RECORDS - {"irregular"}:
+        for name, value in whole[record].items():
+            assert np.array_equal(kept[record][name], value), (record, name)
+
+
+def test_A1_what_concerns_the_core_stands_in_the_schema_and_nothing_else_is_kept(block: Session) -> None:
+    assert set(CORE_PATHS) == {
+        "filters", "separation.mode", "separation.gap", "separation.radius", "colour.by", "colour.metric",
+        "colour.attribute", "colour.range", "silhouette", "irregular.mode",
+    }  # fmt: skip
+    assert set(ALL) == {"filters", "separation", "colour", "silhouette", "irregular"}
+    assert set(ALL["colour"]) == {"by", "metric", "attribute", "range"}
 
 
 def test_V4_irregular_structure_comes_after_the_description(block: Session) -> None:
-    block.update(DEFAULTS)
+    block.update(ALL)
     block.describe()
     update = block.update()
     assert update["pending"] == []
-    assert set(update) & BUFFERS == {"irregular"}
+    assert set(update) & RECORDS == {"irregular"}
     assert update["irregular"]["counts"]["interior"] == {}
     assert update["irregular"]["counts"]["boundary"] == {"1": 48}
-    assert set(block.update({"irregular": {"mode": 2}})) & BUFFERS == set()
+    assert set(block.update({"irregular": {"mode": 2}})) & RECORDS == set()
     assert len(block.update({"irregular": {"mode": 5}})["irregular"]["paper"]) > 0
-    assert set(block.update({"irregular": {"mode": 0}})) & BUFFERS == set()
+    assert set(block.update({"irregular": {"mode": 0}})) & RECORDS == set()
 
 
 @pytest.mark.parametrize("offset", [0, 0.1, 0.5, 0.9, 1])
 def test_F1_a_slice_shows_the_cells_before_the_plane(block: Session, offset: float) -> None:
-    block.update(DEFAULTS)
+    block.update(ALL)
     update = block.update({"filters": {"planes": {"items": [{"normal": [1, 0, 0], "offset": offset}]}}})
     x = np.arange(64) % 4 + 0.5
     behind = x < 0.5 + 3 * offset if offset < 1 else np.ones(64, bool)
@@ -150,7 +193,7 @@ def test_F1_a_slice_shows_the_cells_before_the_plane(block: Session, offset: flo
     assert update["shown_cells"] == len(expected)
     if offset:
         assert shown_of(update) <= expected
-        assert set(update) & BUFFERS == {"surface", "silhouette"}
+        assert set(update) & RECORDS == {"surface", "silhouette"}
         assert len(update["silhouette"]["positions"]) == 12 * np.count_nonzero(
             behind[np.array(boundary_cells())]
         )
@@ -171,7 +214,7 @@ def boundary_cells() -> list[int]:
 def test_F1_a_slice_that_hides_the_same_cells_sends_nothing(block: Session) -> None:
     block.update({"filters": {"planes": {"items": [{"normal": [1, 0, 0], "offset": 0.4}]}}})
     update = block.update({"filters": {"planes": {"items": [{"normal": [1, 0, 0], "offset": 0.45}]}}})
-    assert set(update) & BUFFERS == set()
+    assert set(update) & RECORDS == set()
 
 
 def test_F2_peel(block: Session) -> None:
@@ -186,32 +229,34 @@ def test_F2_peel(block: Session) -> None:
 
 
 def test_F3_R8_cells_are_filtered_by_attributes_and_metrics(session: Session) -> None:
-    band = {"source": "cell:load", "minimum": 2, "maximum": 3}
+    band = {"quantity": "cell:load", "minimum": 2, "maximum": 3}
     update = session.update({"filters": {"quality": {"items": [band]}}})
     assert shown_of(update) == {2, 3}
     update = session.update({"filters": {"quality": {"items": [{**band, "keep": "outside"}]}}})
     assert update["shown_cells"] in (4, 6)  # the ends themselves may count to either side
-    update = session.update({"filters": {"quality": {"items": [{"source": "point:height", "maximum": 1}]}}})
+    update = session.update({"filters": {"quality": {"items": [{"quantity": "point:height", "maximum": 1}]}}})
     assert shown_of(update) == {0, 3}
-    update = session.update({"filters": {"quality": {"items": [{"source": "volume", "minimum": 2}]}}})
+    update = session.update({"filters": {"quality": {"items": [{"quantity": "volume", "minimum": 2}]}}})
     assert update["shown_cells"] == 0
 
 
 def test_F4_picked_cells(session: Session) -> None:
-    update = session.update({"filters": {"picking": {"isolated": True, "shown": [4, 99]}}})
-    assert shown_of(update) == {4}
-    assert [problem["path"] for problem in update["problems"]] == ["filters.picking.shown"]
-    assert session.status["filters"]["picking"]["shown"] == [4]
+    picking = {"filters": {"picking": {"isolated": True, "shown": [4, 99]}}}
+    checked = session.check(picking)
+    assert [rejection["path"] for rejection in checked["rejections"]] == ["filters.picking.shown"]
+    assert checked["partial"]["filters"]["picking"]["shown"] == [4]
+    assert shown_of(session.update(checked["partial"])) == {4}
+    assert session.update(picking)["shown_cells"] == 1
 
 
 def test_P6_recolouring_sends_colours_only(session: Session) -> None:
-    session.update(DEFAULTS)
+    session.update(ALL)
     update = session.update({"colour": {"by": "quality", "metric": "volume"}})
-    assert set(update) & BUFFERS == {"colour"}
+    assert set(update) & RECORDS == {"colour"}
     assert update["colour"]["label"] == "Volume"
-    assert set(session.update({"colour": {"map": "jet", "outside": "#123456"}})) & BUFFERS == set()
+    assert set(session.update({"colour": {"map": "jet", "outside": "#123456"}})) & RECORDS == set()
     update = session.update({"colour": {"by": "attribute", "attribute": "cell:load"}})
-    assert set(update) & BUFFERS == {"colour"}
+    assert set(update) & RECORDS == {"colour"}
     assert np.allclose(update["colour"]["map_position"], np.arange(6) / 5)
     assert (update["colour"]["low"], update["colour"]["high"]) == (0, 5)
     update = session.update({"colour": {"range": [1, 3]}})
@@ -228,76 +273,86 @@ def test_Q2_the_best_value_has_the_first_colour(twisted: bytes) -> None:
         values = quality_many(session._opened.mesh, [metric])[metric]  # type: ignore[union-attr]
         update = session.update({"colour": {"by": "quality", "metric": metric}})
         positions = update["colour"]["map_position"]
-        assert update["colour"]["source"] == metric
+        assert update["colour"]["quantity"] == metric
         assert np.array_equal(np.isnan(positions), ~np.isfinite(values))
         if np.isfinite(values).all():
-            better = np.argmax(values) if row.direction == "high" else np.argmin(values)
+            better = np.argmax(values) if row.better == "high" else np.argmin(values)
             assert positions[better] == positions.min()
 
 
 def test_S1_wrong_values_are_named_and_the_rest_applies(session: Session) -> None:
-    update = session.update(
+    checked = session.check(
         {
             "colour": {"by": "quality", "metric": "beauty", "inside": "#00ff00"},
-            "filters": {"quality": {"items": [{"source": "cell:none"}, {"source": "volume", "maximum": 9}]}},
+            "filters": {
+                "quality": {"items": [{"quantity": "cell:none"}, {"quantity": "volume", "maximum": 9}]}
+            },
             "silhouette": 2,
             "separation": {"mode": "fissure"},
         }
     )
-    assert {problem["path"] for problem in update["problems"]} == {
+    rejections = checked["rejections"]
+    assert {rejection["path"] for rejection in rejections} == {
         "colour.metric",
-        "filters.quality.items[0].source",
+        "filters.quality.items[0].quantity",
         "silhouette",
     }
-    assert "scaled_jacobian" in update["problems"][-2]["expected"] + update["problems"][-1]["expected"]
-    status = session.status
-    assert (status["colour"]["by"], status["colour"]["inside"]) == ("sides", "#00ff00")
-    assert [band["source"] for band in status["filters"]["quality"]["items"]] == ["volume"]
-    assert status["separation"]["mode"] == "fissure"
-    assert update["surface"]["mode"] == "fissure"
+    assert "scaled_jacobian" in rejections[-2]["expected"] + rejections[-1]["expected"]
+    partial = checked["partial"]
+    assert partial["colour"] == {"inside": "#00ff00"}
+    assert [band["quantity"] for band in partial["filters"]["quality"]["items"]] == ["volume"]
+    assert partial["separation"] == {"mode": "fissure"}
+    assert session.update(partial)["surface"]["mode"] == "fissure"
+
+
+def test_S1_bands_of_the_first_version_are_read(session: Session) -> None:
+    band = {"source": "volume", "keep": "inside", "minimum": None, "maximum": 9}
+    for version in ({"version": 1}, {}):
+        checked = session.check({**version, "filters": {"quality": {"items": [band]}}})
+        assert checked["rejections"] == []
+        (found,) = checked["partial"]["filters"]["quality"]["items"]
+        assert found == {"quantity": "volume", "keep": "inside", "minimum": None, "maximum": 9}
 
 
 def test_S1_an_attribute_of_another_mesh_is_told(session: Session, grid: Callable[..., bytes]) -> None:
-    session.update({"colour": {"by": "attribute", "attribute": "cell:load"}})
+    by_load = {"colour": {"by": "attribute", "attribute": "cell:load"}}
+    assert session.check(by_load)["rejections"] == []
+    session.update(by_load)
     session.open("other.mesh", grid(1, 1, 1))
-    assert session.status["colour"]["by"] == "sides"
-    update = session.update({"colour": {"by": "attribute", "attribute": "cell:load"}})
-    assert [problem["path"] for problem in update["problems"]] == ["colour.attribute"]
-    update = session.update({"colour": {"by": "attribute"}})
-    assert [problem["expected"] for problem in update["problems"]] == ["nothing: the mesh has none"]
-    assert session.status["colour"]["by"] == "sides"
+    assert session.update()["colour"] is None
+    checked = session.check(by_load)
+    assert [rejection["path"] for rejection in checked["rejections"]] == ["colour.attribute"]
+    assert checked["rejections"][0]["expected"] == "nothing: the mesh has none"
+    assert checked["partial"]["colour"] == {}
 
 
-def test_S1_the_status_names_the_mesh(session: Session) -> None:
-    assert session.status["mesh"] == {"name": "grid.vtk", "sha256": "", "cells": 6}
-    assert session.identify("ab" * 32)["sha256"] == "ab" * 32
-    session.update({"mesh": {"name": "other", "cells": 9}})
-    assert session.status["mesh"] == {"name": "grid.vtk", "sha256": "ab" * 32, "cells": 6}
-    with pytest.raises(HexaLabError, match="64 hexadecimal"):
-        session.identify("xyz")
+def test_S1_settings_that_name_what_is_not_there_are_refused_and_change_nothing(session: Session) -> None:
+    session.update({"silhouette": 0.25, "filters": {"peel": {"depth": 0}}})
+    with pytest.raises(HexaLabError, match="no metric and no attribute 'cell:none'"):
+        session.update({"colour": {"by": "attribute", "attribute": "cell:none"}, "silhouette": 0.75})
+    with pytest.raises(HexaLabError, match="no metric and no attribute 'x'"):
+        session.update({"filters": {"quality": {"items": [{"quantity": "x", "minimum": 0}]}}})
+    update = session.update()
+    assert update["shown_cells"] == 6
+    assert set(update) & RECORDS == {"surface", "silhouette", "colour"}, "what the failed call drew was lost"
+    assert set(session.update({"silhouette": 0.25})) & RECORDS == set()
 
 
-def test_S1_another_mesh_starts_with_a_fresh_camera_and_no_filters(
-    session: Session, grid: Callable[..., bytes]
-) -> None:
-    session.update(
-        {"filters": {"peel": {"depth": 1}}, "camera": {"distance": 3}, "separation": {"mode": "rounded"}}
-    )
+def test_S1_another_mesh_starts_with_the_defaults(session: Session, grid: Callable[..., bytes]) -> None:
+    session.update({"filters": {"peel": {"depth": 1}}, "separation": {"mode": "rounded"}})
     session.open("other.mesh", grid(2, 2, 2))
-    assert session.status["filters"] == DEFAULTS["filters"]
-    assert session.status["camera"] == DEFAULTS["camera"]
-    assert session.status["separation"]["mode"] == "rounded"
-    assert set(session.update()) & BUFFERS == {"surface", "silhouette", "colour"}
+    update = session.update()
+    assert set(update) & RECORDS == {"surface", "silhouette", "colour"}
+    assert (update["shown_cells"], update["surface"]["mode"]) == (8, "lines")
 
 
 def test_R10_a_failed_open_leaves_the_mesh_that_was_open(session: Session) -> None:
-    session.update({"filters": {"peel": {"depth": 0}}, "silhouette": 0.25})
-    before = json.dumps(session.status)
+    session.update({"filters": {"picking": {"hidden": [3]}}, "silhouette": 0.25})
     for data in (b"", b"MeshVersionFormatted 2\nDimension 3\nVertices\n3\n0 0", b"\x89PNG\r\n\x1a\n"):
         with pytest.raises(MeshReadError, match=r"bad\.mesh"):
             session.open("bad.mesh", data)
-    assert json.dumps(session.status) == before
-    assert session.update()["shown_cells"] == 6
+    update = session.update()
+    assert (update["shown_cells"], set(update) & RECORDS) == (5, set())
 
 
 def test_R9_a_mesh_of_inverted_cells_is_turned_round(grid: Callable[..., bytes]) -> None:
@@ -317,17 +372,15 @@ def test_S4_a_document_of_the_original_is_applied(twisted: bytes) -> None:
         "filters": {"Quality": {"enabled": True, "min": 0, "max": 0.5}},
     }
     checked = session.check(json.dumps(document))
-    assert (checked["form"], checked["problems"]) == ("original", [])
+    assert (checked["form"], checked["rejections"]) == ("original", [])
     (band,) = checked["partial"]["filters"]["quality"]["items"]
     worst = session.quality("edge_ratio")["max"]
     assert band["minimum"] == pytest.approx(1 + (worst - 1) / 2)
-    assert session.status == {**DEFAULTS, "mesh": session.status["mesh"]}
-    update = session.update(document)
-    assert update["problems"] == []
+    update = session.update(core_settings(checked["partial"]))
     assert update["surface"]["mode"] == "fissure"
-    assert update["colour"]["source"] == "edge_ratio"
+    assert update["colour"]["quantity"] == "edge_ratio"
     assert shown_of(update) == {1}
-    assert session.status["camera"]["target"] == pytest.approx([1 / 6**0.5, 0, 0])
+    assert checked["partial"]["camera"]["target"] == pytest.approx([1 / 6**0.5, 0, 0])
 
 
 def test_S1_a_document_that_is_no_json_is_told(session: Session) -> None:
@@ -477,32 +530,23 @@ def test_Q6_validity(twisted: bytes) -> None:
     assert told["invalid_cells"].tolist() == [1]
 
 
-def test_V9_everything_can_be_sent_again(block: Session) -> None:
-    block.describe()
-    block.update(DEFAULTS)
-    assert set(block.update()) & BUFFERS == set()
-    assert set(block.redraw()) & BUFFERS == BUFFERS
-
-
 def test_O2_preview(session: Session) -> None:
-    data = session.preview({"filters": {"picking": {"hidden": [0]}}, "colour": {"by": "quality"}})
+    session.update({"filters": {"picking": {"hidden": [0]}}})
+    data = session.preview()
     assert isinstance(data, bytes)
     found = unpack(data)
     assert found["summary"]["cells"] == 6
     assert found["summary"]["centre"] == [1.5, 1, 0.5]
-    assert found["shown_cells"] == 5
-    assert len(found["surface"]["positions"]) == 12 * len(found["surface"]["faces"])
-    assert len(found["colour"]["map_position"]) == 6
-    assert found["status"]["filters"]["picking"]["hidden"] == [0]
+    assert (found["shown_cells"], found["shown_faces"]) == (6, 22)
+    assert len(found["surface"]["positions"]) == 12 * len(found["surface"]["faces"]) == 12 * 22
+    assert found["colour"] is None
+    assert session.update()["shown_cells"] == 5
 
 
-def test_A1_formats_and_schema() -> None:
+def test_A1_without_a_mesh() -> None:
     session = Session()
-    assert plain(session.formats())
-    assert {"mesh", "vtk"} <= {row["id"] for row in session.formats()}
-    assert session.schema()["defaults"] == DEFAULTS
     assert session.check({"silhouette": 0.5})["partial"] == {"silhouette": 0.5}
-    for call in (session.update, session.describe, session.validity):
+    for call in (session.update, session.describe, session.validity, session.preview):
         with pytest.raises(HexaLabError, match="no mesh is open"):
             call()
 
@@ -521,15 +565,16 @@ def test_P7_values_are_kept_within_bounds(block: Session, monkeypatch: pytest.Mo
 
 @pytest.mark.skipif(not PICTURES.is_dir(), reason="the original's pictures are not here")
 def test_S4_the_view_of_a_real_picture_of_the_original(meshes: Path) -> None:
-    from hexalab.picture import read_settings
+    from hexalab.png_text import read_settings
 
     session = Session()
     name = "2012-all-hex-meshing--rod-rod.vtk"
     session.open(name, (meshes / name).read_bytes())
-    update = session.update(read_settings((PICTURES / "original-3.png").read_bytes()))
-    assert update["problems"] == []
+    checked = session.check(read_settings((PICTURES / "original-3.png").read_bytes()))
+    assert checked["rejections"] == []
+    update = session.update(core_settings(checked["partial"]))
     assert update["surface"]["mode"] == "rounded"
-    assert update["colour"]["source"] == "scaled_jacobian"
+    assert update["colour"]["quantity"] == "scaled_jacobian"
     mesh = session._opened.mesh  # type: ignore[union-attr]
     x = mesh.coordinates[0]
     low, high = x.min() - 1e-5, x.max() + 1e-5

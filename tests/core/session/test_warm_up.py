@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hexalab
 from hexalab.session import Session
+from hexalab.session.door import Door
 from hexalab.session.warm_up import SIDE, grid, warm_up
 
 
@@ -16,6 +17,6 @@ def test_P5_the_warm_up_grid_is_a_valid_mesh() -> None:
 
 def test_P5_warming_up_ends_with_a_sliced_grid() -> None:
     session = Session()
-    warm_up(session)
+    warm_up(Door(session))
     shown = session.update()["shown_cells"]
     assert 0 < shown < SIDE**3

@@ -20,11 +20,11 @@ VALIDATOR = jsonschema.Draft202012Validator(status.SCHEMA)
 KNOWN_KEYWORDS = {
     "$schema", "title", "description", "type", "properties", "additionalProperties", "required", "default",
     "const", "enum", "minimum", "maximum", "exclusiveMinimum", "items", "minItems", "maxItems", "contains",
-    "pattern", "minLength", "maxLength",
+    "pattern", "minLength", "maxLength", "core",
 }  # fmt: skip
 
 
-REQUIRED = {"planes": {"normal": [0, 0, 1]}, "quality": {"source": "volume"}}
+REQUIRED = {"planes": {"normal": [0, 0, 1]}, "quality": {"quantity": "volume"}}
 
 
 def subschemas(schema: Schema, path: tuple[Any, ...] = ()) -> list[tuple[tuple[Any, ...], Schema]]:
@@ -56,8 +56,8 @@ def test_S1_schema_is_a_json_schema_of_keywords_that_the_checker_knows() -> None
 
 def test_S1_defaults_are_complete_and_valid() -> None:
     VALIDATOR.validate(status.DEFAULTS)
-    clean, problems = status.check(status.DEFAULTS)
-    assert (clean, problems) == (status.DEFAULTS, [])
+    clean, rejections = status.check(status.DEFAULTS)
+    assert (clean, rejections) == (status.DEFAULTS, [])
     for path, schema in subschemas(status.SCHEMA):
         part: Any = status.DEFAULTS
         if 0 in path or schema.get("type") == "object":
@@ -69,16 +69,16 @@ def test_S1_defaults_are_complete_and_valid() -> None:
 
 def test_S2_round_trip_through_text_changes_nothing() -> None:
     text = json.dumps(status.DEFAULTS)
-    clean, problems = status.check(json.loads(text))
-    assert not problems
+    clean, rejections = status.check(json.loads(text))
+    assert not rejections
     assert json.dumps(status.merge(status.DEFAULTS, clean)) == text
 
 
 def test_S1_partial_documents_apply_what_they_hold() -> None:
     partial = {"colour": {"by": "quality"}, "filters": {"peel": {"depth": 2}}}
-    clean, problems = status.check(partial)
+    clean, rejections = status.check(partial)
     merged = status.merge(status.DEFAULTS, clean)
-    assert not problems
+    assert not rejections
     expected = deepcopy(status.DEFAULTS)
     expected["colour"]["by"] = "quality"
     expected["filters"]["peel"]["depth"] = 2
@@ -87,8 +87,8 @@ def test_S1_partial_documents_apply_what_they_hold() -> None:
 
 
 def test_S1_a_list_replaces_a_list_and_its_items_are_completed() -> None:
-    clean, problems = status.check({"filters": {"planes": {"items": [{"normal": [0, 1, 0]}]}}})
-    assert not problems
+    clean, rejections = status.check({"filters": {"planes": {"items": [{"normal": [0, 1, 0]}]}}})
+    assert not rejections
     assert clean["filters"]["planes"]["items"] == [{"enabled": True, "normal": [0, 1, 0], "offset": 0}]
 
 
@@ -118,18 +118,18 @@ def test_S1_a_list_replaces_a_list_and_its_items_are_completed() -> None:
 def test_S1_a_wrong_value_is_named_and_the_rest_applies(
     partial: dict[str, Any], path: str, found: str, words: str
 ) -> None:
-    clean, problems = status.check({**deepcopy(partial), "lighting": {"mode": "direct"}})
-    assert [problem.path for problem in problems] == [path]
-    assert problems[0].found.startswith(found)
-    assert words in problems[0].expected
+    clean, rejections = status.check({**deepcopy(partial), "lighting": {"mode": "direct"}})
+    assert [rejection.path for rejection in rejections] == [path]
+    assert rejections[0].found.startswith(found)
+    assert words in rejections[0].expected
     assert clean["lighting"] == {"mode": "direct"}
     assert status.check(clean) == (clean, [])
 
 
 def test_S1_a_wrong_cell_number_leaves_the_others() -> None:
-    clean, problems = status.check({"filters": {"picking": {"hidden": [3, -1, 5.0, "7"]}}})
+    clean, rejections = status.check({"filters": {"picking": {"hidden": [3, -1, 5.0, "7"]}}})
     assert clean["filters"]["picking"]["hidden"] == [3, 5]
-    assert [problem.path for problem in problems] == [
+    assert [rejection.path for rejection in rejections] == [
         "filters.picking.hidden[1]",
         "filters.picking.hidden[3]",
     ]
@@ -138,24 +138,24 @@ def test_S1_a_wrong_cell_number_leaves_the_others() -> None:
 def test_F6_a_hundred_thousand_picked_cells_are_checked_at_once() -> None:
     cells = list(range(100_000))
     began = perf_counter()
-    clean, problems = status.check({"filters": {"picking": {"hidden": cells}}})
+    clean, rejections = status.check({"filters": {"picking": {"hidden": cells}}})
     assert perf_counter() - began < 0.5
     assert clean["filters"]["picking"]["hidden"] == cells
-    assert not problems
+    assert not rejections
     assert len(status.check({"filters": {"picking": {"hidden": [True, -2, 1.5, 4]}}})[1]) == 3
 
 
 @pytest.mark.parametrize("document", [None, 3, "text", [], [{}]])
 def test_S1_what_is_no_object_is_refused(document: Any) -> None:
-    clean, problems = status.check(document)
+    clean, rejections = status.check(document)
     assert clean == {}
-    assert len(problems) == 1
+    assert len(rejections) == 1
 
 
 def test_S1_a_newer_document_applies_as_far_as_it_is_known() -> None:
-    clean, problems = status.read({"version": 7, "silhouette": 0.5, "holograms": True})
-    assert clean == {"version": 1, "silhouette": 0.5}
-    assert [problem.path for problem in problems] == ["version", "holograms"]
+    clean, rejections = status.read({"version": 7, "silhouette": 0.5, "holograms": True})
+    assert clean == {"version": status.VERSION, "silhouette": 0.5}
+    assert [rejection.path for rejection in rejections] == ["version", "holograms"]
 
 
 JSON_VALUES = st.recursive(
@@ -174,8 +174,8 @@ PLACES = [path for path, _ in subschemas(status.SCHEMA) if path]
 @given(st.sampled_from(PLACES), JSON_VALUES)
 def test_S1_checker_agrees_with_jsonschema(path: tuple[Any, ...], value: Any) -> None:
     document = placed(path, value)
-    clean, problems = status.check(document)
-    assert (not problems) == VALIDATOR.is_valid(document)
+    clean, rejections = status.check(document)
+    assert (not rejections) == VALIDATOR.is_valid(document)
     VALIDATOR.validate(clean)
     VALIDATOR.validate(status.merge(status.DEFAULTS, clean))
 
@@ -183,11 +183,11 @@ def test_S1_checker_agrees_with_jsonschema(path: tuple[Any, ...], value: Any) ->
 @settings(max_examples=200, deadline=None)
 @given(JSON_VALUES)
 def test_S1_any_json_is_answered(value: Any) -> None:
-    clean, problems = status.read(value)
+    clean, rejections = status.read(value)
     VALIDATOR.validate(clean)
-    for problem in problems:
-        assert set(problem.as_dict()) == {"path", "found", "expected"}
-        assert problem.expected in str(problem)
+    for rejection in rejections:
+        assert set(rejection.as_dict()) == {"path", "found", "expected"}
+        assert rejection.expected in str(rejection)
 
 
 def test_S2_text_that_is_no_json_is_told_as_such() -> None:

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from hexalab import status
-from hexalab.picture import read_settings
+from hexalab.png_text import read_settings
 
 ROOT = Path(__file__).parents[3]
 PICTURES = Path(os.environ.get("HEXALAB_PICTURES", ROOT / "../shared/reference/pictures"))
@@ -25,8 +25,8 @@ MESH = status.OpenMesh(
 
 
 def converted(document: dict[str, Any], mesh: status.OpenMesh | None = MESH) -> dict[str, Any]:
-    partial, problems = status.read(document, mesh)
-    assert not problems
+    partial, rejections = status.read(document, mesh)
+    assert not rejections
     return partial
 
 
@@ -116,7 +116,7 @@ def test_S4_normalised_thresholds_become_native_values(
     document = {"rendering": {"quality_measure": metric}, "filters": {"Quality": quality}}
     (found,) = converted(document)["filters"]["quality"]["items"]
     assert (found["keep"], found["minimum"], found["maximum"]) == item
-    assert found["source"] == status.original.metric_id(metric)
+    assert found["quantity"] == status.original.metric_id(metric)
 
 
 def test_S4_without_a_mesh_what_depends_on_it_is_named() -> None:
@@ -124,8 +124,8 @@ def test_S4_without_a_mesh_what_depends_on_it_is_named() -> None:
         "camera": {"offset": {"x": 1, "y": 0, "z": 0}, "distance": 2},
         "filters": {"Quality": {"min": 0, "max": 0.5}, "Peeling": {"depth": 1}},
     }
-    partial, problems = status.read(document)
-    assert [problem.path for problem in problems] == ["camera.offset", "filters.Quality"]
+    partial, rejections = status.read(document)
+    assert [rejection.path for rejection in rejections] == ["camera.offset", "filters.Quality"]
     assert partial["camera"]["distance"] == 2
     assert partial["filters"] == {"peel": {"depth": 1}, "quality": {}}
 
@@ -153,8 +153,8 @@ def test_S4_wrong_values_are_named_and_the_rest_applies() -> None:
         "camera": 3,
         "filters": {"Plane": {"normal": {"x": 0, "y": 0, "z": 0}, "offset": 7}, "Quality": {"min": "a"}},
     }
-    partial, problems = status.read(document, MESH)
-    assert {problem.path for problem in problems} == {
+    partial, rejections = status.read(document, MESH)
+    assert {rejection.path for rejection in rejections} == {
         "lighting",
         "geometry_mode",
         "separation.gap",
@@ -175,8 +175,8 @@ def test_S4_odd_numbers_and_vectors_are_named(odd: Any) -> None:
         ("rendering", "crack_size"),
         ("rendering", "rounding_radius"),
     ):
-        partial, problems = status.read({section: {key: odd, "singularity_mode": 2}}, MESH)
-        assert problems
+        partial, rejections = status.read({section: {key: odd, "singularity_mode": 2}}, MESH)
+        assert rejections
         assert partial.get("irregular", {"mode": 2}) == {"mode": 2}
     for filters in ({"Quality": {"min": odd, "max": 1}}, {"Plane": {"offset": odd}}):
         status.read({"filters": filters, "materials": {"filtered_surface_opacity": odd}}, MESH)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from hexalab.mesh import Mesh
-from hexalab.surface import MODES, Drawing, extract_surface
+from hexalab.surface import MODES, DrawnMesh, extract_surface
 from tests.core.surface.checks import (
     cell_volumes,
     check_closed,
@@ -26,7 +26,7 @@ SHARES = (0.1, 0.5, 0.9, 0.97)
 @pytest.mark.parametrize("jitter", [0.0, 0.12])
 def test_V1_closed_whatever_is_hidden(kind: str, mode: str, jitter: float) -> None:
     mesh = split_grid(kind, 4, jitter)
-    drawing = Drawing(mesh)
+    drawing = DrawnMesh(mesh)
     volumes = cell_volumes(mesh.points, mesh.cells)
     for seed, share in enumerate(SHARES):
         shown = random_mask(mesh.cell_count, seed, share)
@@ -44,7 +44,7 @@ def test_V1_closed_whatever_is_hidden(kind: str, mode: str, jitter: float) -> No
 def test_V1_everything_shown_is_a_manifold(kind: str, mode: str) -> None:
     """Lines draw the mesh's boundary; in the other modes cells inside touch nothing that is exposed."""
     mesh = split_grid(kind, 3)
-    surface = extract_surface(Drawing(mesh), np.ones(mesh.cell_count, bool), mode)
+    surface = extract_surface(DrawnMesh(mesh), np.ones(mesh.cell_count, bool), mode)
     if mode in ("lines", "darkness_coded_edges"):
         check_manifold(surface)
         assert (surface.inside == 0).all()
@@ -56,7 +56,7 @@ def test_V1_everything_shown_is_a_manifold(kind: str, mode: str) -> None:
 def test_V1_each_cell_alone_is_a_manifold(kind: str, mode: str) -> None:
     """All corners exposed: each cell is a closed body of its own."""
     mesh = split_grid(kind, 2)
-    drawing = Drawing(mesh)
+    drawing = DrawnMesh(mesh)
     for cell in range(0, mesh.cell_count, 5):
         shown = np.zeros(mesh.cell_count, bool)
         shown[cell] = True
@@ -71,7 +71,7 @@ def test_V1_each_cell_alone_is_a_manifold(kind: str, mode: str) -> None:
 @pytest.mark.parametrize("mode", MODES)
 def test_V1_normals_point_out_of_the_cell(mode: str) -> None:
     mesh = grid(4, 4, 4, jitter=0.1)
-    drawing = Drawing(mesh)
+    drawing = DrawnMesh(mesh)
     shown = mesh.barycentres.sum(axis=0) < 7
     surface = extract_surface(drawing, shown, mode)
     middles = drawing.barycentres(surface.cells)
@@ -84,24 +84,24 @@ def test_V1_nothing_shown_and_no_mesh(mode: str) -> None:
     mesh = grid(2, 2, 2)
     empty = mesh_of(np.empty((0, 3)), np.empty((0, 8), np.int32))
     for some in (mesh, empty):
-        surface = extract_surface(Drawing(some), np.zeros(some.cell_count, bool), mode)
+        surface = extract_surface(DrawnMesh(some), np.zeros(some.cell_count, bool), mode)
         check_form(surface)
         assert len(surface.faces) == len(surface.cells) == len(surface.edges) == 0
 
 
 def test_V1_unknown_mode_is_refused() -> None:
     with pytest.raises(ValueError, match="crack"):
-        extract_surface(Drawing(unit_cube()), np.ones(1, bool), "crack")
+        extract_surface(DrawnMesh(unit_cube()), np.ones(1, bool), "crack")
 
 
 @pytest.mark.parametrize("mode", MODES)
 def test_V1_far_from_the_origin_and_of_any_size(mode: str) -> None:
-    """Drawing coordinates are found in float64: neither place nor size of the mesh shows."""
+    """DrawnMesh coordinates are found in float64: neither place nor size of the mesh shows."""
     mesh = grid(2, 2, 2, jitter=0.1)
     shown = np.array([1, 1, 0, 1, 1, 0, 1, 1], bool)
-    here = extract_surface(Drawing(mesh), shown, mode)
+    here = extract_surface(DrawnMesh(mesh), shown, mode)
     for scale, shift in ((1e-9, 0.0), (1e9, 0.0), (1.0, 1e6)):
-        there = Drawing(Mesh(mesh.coordinates * scale + shift, mesh.corners, mesh.kinds))
+        there = DrawnMesh(Mesh(mesh.coordinates * scale + shift, mesh.corners, mesh.kinds))
         surface = extract_surface(there, shown, mode)
         assert np.allclose(surface.positions, here.positions, atol=1e-6)
         assert (np.abs(surface.positions) <= 0.5001).all()
@@ -120,7 +120,7 @@ def test_V1_flat_cells_get_normals(mode: str) -> None:
     one_face = unit_cube()
     one_face.coordinates[:, 4:] = [[0.5], [0.5], [1]]
     for mesh in (flat, needle, point, one_face):
-        surface = extract_surface(Drawing(mesh), np.ones(mesh.cell_count, bool), mode)
+        surface = extract_surface(DrawnMesh(mesh), np.ones(mesh.cell_count, bool), mode)
         check_form(surface)
     if mode != "rounded":
         up = surface.normals.reshape(-1, 4)[np.repeat(surface.faces % 8 == 1, 4)]
@@ -131,7 +131,7 @@ def test_V1_flat_cells_get_normals(mode: str) -> None:
 def test_V1_inside_tells_what_filters_expose(mode: str) -> None:
     mesh = grid(3, 3, 3, turned=False)
     shown = mesh.barycentres[2] < 2
-    surface = extract_surface(Drawing(mesh), shown, mode)
+    surface = extract_surface(DrawnMesh(mesh), shown, mode)
     height = (points_of(surface)[:, 2] * mesh.diagonal + mesh.centre[2])[rings_of(surface)]
     up = surface.normals.reshape(-1, 4)[:, 2][rings_of(surface)]
     ring_inside = surface.inside[rings_of(surface)]

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from hexalab.cells import FACES
 from hexalab.mesh import Mesh
-from hexalab.surface import Drawing, extract_surface
+from hexalab.surface import DrawnMesh, extract_surface
 from tests.core.surface.checks import points_of, rings_of
 from tests.core.surface.shapes import KINDS, grid, random_mask, split_grid, unit_cube
 from tests.core.topology.brute_force import BruteForce
@@ -40,7 +40,7 @@ def expected(mesh: Mesh, shown: NDArray[np.bool_], gap: float) -> dict[tuple[int
 
 
 def check(mesh: Mesh, shown: NDArray[np.bool_], gap: float) -> None:
-    surface = extract_surface(Drawing(mesh), shown, "fissure", gap=gap)
+    surface = extract_surface(DrawnMesh(mesh), shown, "fissure", gap=gap)
     truth = expected(mesh, shown, gap)
     sides = [(int(tag) // 8, int(tag) % 8) for tag in surface.faces]
     assert sorted(sides) == sorted(truth)
@@ -58,14 +58,14 @@ def test_V1_fissure_as_the_paper_tells_it(kind: str, share: float) -> None:
 
 
 def test_V1_fissure_shrinks_a_cube_by_the_gap() -> None:
-    surface = extract_surface(Drawing(unit_cube()), np.ones(1, bool), "fissure", gap=0.25)
+    surface = extract_surface(DrawnMesh(unit_cube()), np.ones(1, bool), "fissure", gap=0.25)
     assert np.allclose(np.abs(surface.positions), 0.75 * 0.5 / np.sqrt(3), atol=1e-7)
     assert len(surface.faces) == 6
 
 
 def test_V1_fissure_draws_nothing_of_cells_within() -> None:
     mesh = grid(5, 5, 5, turned=False)
-    surface = extract_surface(Drawing(mesh), np.ones(125, bool), "fissure")
+    surface = extract_surface(DrawnMesh(mesh), np.ones(125, bool), "fissure")
     cells = set(surface.cells.tolist())
     assert len(cells) == 125 - 27
     # A cell in the middle of a side shows five faces: the one opposite has no exposed corner.

@@ -9,7 +9,7 @@ import pytest
 
 from hexalab.cells import FACES
 from hexalab.mesh import Mesh
-from hexalab.surface import Drawing, extract_irregular
+from hexalab.surface import DrawnMesh, extract_irregular
 from tests.core.surface.shapes import KINDS, grid, mesh_of, split_grid, three_around_an_edge
 from tests.core.topology.brute_force import BruteForce
 
@@ -33,7 +33,7 @@ def expected_flaps(mesh: Mesh) -> dict[frozenset[int], set[frozenset[int]]]:
 
 
 def check(mesh: Mesh) -> None:
-    drawing = Drawing(mesh)
+    drawing = DrawnMesh(mesh)
     irregular = extract_irregular(drawing)
     truth = BruteForce(mesh.cells.tolist())
     boundary = truth.boundary_edges
@@ -54,7 +54,7 @@ def check(mesh: Mesh) -> None:
         assert irregular.counts[name] == {str(n): count for n, count in valence.items()}
 
 
-def check_flaps(drawing: Drawing, place: dict, expected: dict, boundary: set[frozenset[int]]) -> None:
+def check_flaps(drawing: DrawnMesh, place: dict, expected: dict, boundary: set[frozenset[int]]) -> None:
     """Each flap lies on its face, 45 % deep; the barbs are its sides."""
     irregular = extract_irregular(drawing)
     points = drawing.coordinates.T.astype(float)
@@ -86,14 +86,14 @@ def test_V4_irregular_edges_of_all_kinds(kind: str) -> None:
 
 
 def test_V4_grid_has_no_irregular_interior() -> None:
-    irregular = extract_irregular(Drawing(grid(3, 4, 5)))
+    irregular = extract_irregular(DrawnMesh(grid(3, 4, 5)))
     assert irregular.counts == {"interior": {}, "boundary": {"1": 4 * (3 + 4 + 5)}}
     assert (irregular.boundary == 1).all() and (irregular.valence == 1).all()
 
 
 def test_V4_three_cells_around_the_axis() -> None:
     layers = 3
-    irregular = extract_irregular(Drawing(three_around_an_edge(layers)))
+    irregular = extract_irregular(DrawnMesh(three_around_an_edge(layers)))
     assert irregular.counts["interior"] == {"3": layers}
     assert irregular.valence[:layers].tolist() == [3] * layers
     axis = irregular.edges.reshape(-1, 2, 3)[:layers]
@@ -104,7 +104,7 @@ def test_V4_three_cells_around_the_axis() -> None:
 
 
 def test_V4_only_the_parts_asked_for() -> None:
-    drawing = Drawing(three_around_an_edge(1))
+    drawing = DrawnMesh(three_around_an_edge(1))
     wires = extract_irregular(drawing, barbs=False, paper=False)
     assert len(wires.edges) and not len(wires.barbs) and not len(wires.paper)
     assert not len(wires.barb_valence) and not len(wires.paper_boundary)
@@ -114,7 +114,7 @@ def test_V4_only_the_parts_asked_for() -> None:
 
 
 def test_V4_no_cells() -> None:
-    irregular = extract_irregular(Drawing(mesh_of(np.empty((0, 3)), np.empty((0, 8), np.int32))))
+    irregular = extract_irregular(DrawnMesh(mesh_of(np.empty((0, 3)), np.empty((0, 8), np.int32))))
     assert irregular.counts == {"interior": {}, "boundary": {}} and len(irregular.edges) == 0
 
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from hexalab.cells import FACES
 from hexalab.mesh import Mesh
-from hexalab.surface import Drawing, Surface, extract_surface
+from hexalab.surface import DrawnMesh, Surface, extract_surface
 from tests.core.surface.checks import check_manifold, points_of, rings_of
 from tests.core.surface.shapes import (
     KINDS,
@@ -47,7 +47,7 @@ def expected_edges(mesh: Mesh, shown: NDArray[np.bool_]) -> dict[frozenset[int],
     return found
 
 
-def edges_of(drawing: Drawing, surface: Surface) -> list[frozenset[int]]:
+def edges_of(drawing: DrawnMesh, surface: Surface) -> list[frozenset[int]]:
     """The surface's edges by vertex ids, found by position; the mesh has no coincident vertices."""
     place = {tuple(point): i for i, point in enumerate(drawing.coordinates.T.tolist())}
     ends = surface.edges.reshape(-1, 2, 3).tolist()
@@ -55,7 +55,7 @@ def edges_of(drawing: Drawing, surface: Surface) -> list[frozenset[int]]:
 
 
 def check_against_dictionaries(mesh: Mesh, shown: NDArray[np.bool_]) -> None:
-    drawing = Drawing(mesh)
+    drawing = DrawnMesh(mesh)
     expected = expected_edges(mesh, shown)
     for mode in ("lines", "darkness_coded_edges"):
         surface = extract_surface(drawing, shown, mode)
@@ -81,7 +81,7 @@ def test_V1_faces_edges_and_counts_of_all_kinds(kind: str, share: float) -> None
 
 
 def test_V1_unit_cube_exactly() -> None:
-    surface = extract_surface(Drawing(unit_cube()), np.ones(1, bool), "lines")
+    surface = extract_surface(DrawnMesh(unit_cube()), np.ones(1, bool), "lines")
     half = np.float32(0.5 / np.sqrt(3))
     assert (np.abs(surface.positions) == half).all()
     assert len(surface.faces) == 6 and len(surface.edges) == 12 * 6
@@ -95,7 +95,7 @@ def test_V1_unit_cube_exactly() -> None:
 
 def test_V1_cubes_that_touch_along_an_edge_draw_it_once() -> None:
     mesh = grid(2, 2, 1, turned=False)
-    drawing = Drawing(mesh)
+    drawing = DrawnMesh(mesh)
     shown = np.array([True, False, False, True])
     surface = extract_surface(drawing, shown, "darkness_coded_edges")
     assert len(surface.edges) == 6 * 23
@@ -105,7 +105,7 @@ def test_V1_cubes_that_touch_along_an_edge_draw_it_once() -> None:
 def test_V1_counts_around_edges_of_a_notch() -> None:
     """Four cubes but one: the concave edge has three cells, flat ones two, convex ones one."""
     surface = extract_surface(
-        Drawing(grid(2, 2, 1, turned=False)), np.array([True, True, True, False]), "darkness_coded_edges"
+        DrawnMesh(grid(2, 2, 1, turned=False)), np.array([True, True, True, False]), "darkness_coded_edges"
     )
     assert Counter(surface.edge_cells.tolist()) == {3: 1, 2: 6, 1: 21}
 
@@ -124,7 +124,7 @@ def test_V1_many_cells_around_an_edge_are_counted_to_255() -> None:
     mesh = mesh_of(points, np.concatenate([base, base + n + 1], axis=1), 1)
     shown = np.ones(n, bool)
     shown[0] = False
-    drawing = Drawing(mesh)
+    drawing = DrawnMesh(mesh)
     surface = extract_surface(drawing, shown, "darkness_coded_edges")
     counts = dict(zip(edges_of(drawing, surface), surface.edge_cells.tolist(), strict=True))
     assert counts[frozenset((0, n + 1))] == 255
@@ -154,9 +154,9 @@ def test_V1_a_face_of_three_cells_is_drawn_for_the_odd_one() -> None:
     points = np.concatenate([mesh.points, mesh.points[[2, 5, 8, 11]] + [0.4, 0, 0.3]])
     third = [1, 12, 13, 4, 7, 14, 15, 10]
     mesh = mesh_of(points, np.concatenate([mesh.cells, [third]]))
-    surface = extract_surface(Drawing(mesh), np.ones(3, bool), "lines")
+    surface = extract_surface(DrawnMesh(mesh), np.ones(3, bool), "lines")
     assert len(surface.faces) == 5 + 5 + 5 + 1
     odd = (surface.inside.reshape(-1, 4) == 255).all(axis=1)
     assert odd.sum() == 1
-    surface = extract_surface(Drawing(mesh), np.array([True, False, False]), "lines")
+    surface = extract_surface(DrawnMesh(mesh), np.array([True, False, False]), "lines")
     assert len(surface.faces) == 6

@@ -12,7 +12,7 @@ import pytest
 
 from hexalab.cells import EDGES
 from hexalab.formats import read
-from hexalab.surface import MODES, Drawing, extract_irregular, extract_silhouette, extract_surface
+from hexalab.surface import MODES, DrawnMesh, extract_irregular, extract_silhouette, extract_surface
 from tests.core.surface.checks import check_closed, check_form
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -25,11 +25,11 @@ pytestmark = pytest.mark.skipif(not FACTS, reason="the published meshes are not 
 
 
 @cache
-def drawing_of(name: str) -> Drawing:
-    return Drawing(read(MESHES / name))
+def drawing_of(name: str) -> DrawnMesh:
+    return DrawnMesh(read(MESHES / name))
 
 
-def cut(drawing: Drawing) -> np.ndarray:
+def cut(drawing: DrawnMesh) -> np.ndarray:
     """Half of the mesh, by an oblique plane, without every ninth cell."""
     height = np.array([0.3, 0.5, 0.8]) @ drawing.mesh.barycentres
     return (height < np.median(height)) & (np.arange(len(height)) % 9 != 0)

@@ -6,7 +6,7 @@ import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from hexalab.surface import MODES, Drawing, extract_irregular, extract_silhouette, extract_surface
+from hexalab.surface import MODES, DrawnMesh, extract_irregular, extract_silhouette, extract_surface
 from tests.core.surface.checks import check_closed, check_form
 from tests.core.surface.shapes import grid, mesh_of, random_mask
 from tests.core.surface.test_fissure import check as check_fissure
@@ -27,7 +27,7 @@ SHARES = (0.1, 0.5, 0.9, 0.97)
 @settings(max_examples=150, deadline=None)
 def test_V1_closed_on_random_masks(shape: tuple[int, int, int], seed: int, share: float, mode: str) -> None:
     mesh = grid(*shape, jitter=0.1)
-    surface = extract_surface(Drawing(mesh), random_mask(mesh.cell_count, seed, share), mode)
+    surface = extract_surface(DrawnMesh(mesh), random_mask(mesh.cell_count, seed, share), mode)
     check_form(surface)
     check_closed(surface)
 
@@ -38,7 +38,7 @@ def test_V1_any_cells_are_drawn(cells: np.ndarray, seed: int, mode: str) -> None
     """Cells that share faces by three, repeat corners across, are a single point: no error, a sound form."""
     random = np.random.default_rng(seed)
     mesh = mesh_of(random.random((int(cells.max(initial=0)) + 2, 3)), cells)
-    drawing = Drawing(mesh)
+    drawing = DrawnMesh(mesh)
     shown = random_mask(mesh.cell_count, seed, 0.7)
     surface = extract_surface(drawing, shown, mode)
     check_form(surface)

@@ -9,7 +9,7 @@ import pytest
 from numpy.typing import NDArray
 
 from hexalab.mesh import Mesh
-from hexalab.surface import Drawing, Surface, extract_surface
+from hexalab.surface import DrawnMesh, Surface, extract_surface
 from tests.core.surface.checks import check_closed, check_manifold, points_of, rings_of
 from tests.core.surface.shapes import (
     CORNERS,
@@ -98,7 +98,7 @@ def canonical(cell: int, ring: NDArray) -> NDArray:
 
 
 def check_lattice(mesh: Mesh, shown: NDArray[np.bool_], radius: float) -> None:
-    surface = extract_surface(Drawing(mesh), shown, "rounded", radius=radius)
+    surface = extract_surface(DrawnMesh(mesh), shown, "rounded", radius=radius)
     truth = expected(mesh, shown, radius)
     assert len(surface.faces) == len(truth)
     want: dict[int, list[NDArray]] = {}
@@ -120,7 +120,7 @@ def test_V1_rounded_is_the_lattice_where_corners_are_not_exposed() -> None:
 
 
 def test_V1_rounded_cube_of_largest_radius_is_a_sphere() -> None:
-    surface = extract_surface(Drawing(unit_cube()), np.ones(1, bool), "rounded", radius=0.5)
+    surface = extract_surface(DrawnMesh(unit_cube()), np.ones(1, bool), "rounded", radius=0.5)
     points = points_of(surface) * np.sqrt(3)
     assert len(points) == 56 and len(surface.faces) == 54
     assert np.allclose(np.linalg.norm(points, axis=1), 0.5, atol=1e-6)
@@ -133,7 +133,7 @@ def test_V1_rounded_cube_of_largest_radius_is_a_sphere() -> None:
 
 def test_V1_rounded_unit_cube_exactly() -> None:
     s = 0.075
-    surface = extract_surface(Drawing(unit_cube()), np.ones(1, bool), "rounded", radius=s)
+    surface = extract_surface(DrawnMesh(unit_cube()), np.ones(1, bool), "rounded", radius=s)
     points = np.sort(0.5 - np.abs(points_of(surface)) * np.sqrt(3), axis=1)
     edge, tip = s * (1 - np.sqrt(0.5)), s * (1 - np.sqrt(1 / 3))
     for kind, count in (((0, s, s), 24), ((edge, edge, s), 24), ((tip, tip, tip), 8)):
@@ -146,7 +146,7 @@ def corner_normals(surface: Surface) -> NDArray[np.float64]:
 
 
 def test_V1_rounded_cells_are_flat_on_their_sides_and_smooth_between() -> None:
-    surface = extract_surface(Drawing(unit_cube()), np.ones(1, bool), "rounded")
+    surface = extract_surface(DrawnMesh(unit_cube()), np.ones(1, bool), "rounded")
     number = (np.abs(corner_normals(surface)) > 0.1).sum(axis=1)
     expected_length = 1 / np.sqrt(number)
     assert sorted(number.tolist()) == [1] * 24 + [2] * 24 + [3] * 8
@@ -176,7 +176,7 @@ def test_V1_rounded_counts_by_the_cells_own_vertices_edges_and_faces(
     mesh = split_grid(kind, 2)
     shown = np.zeros(mesh.cell_count, bool)
     shown[3] = True
-    surface = extract_surface(Drawing(mesh), shown, "rounded")
+    surface = extract_surface(DrawnMesh(mesh), shown, "rounded")
     corners = 3 * triangles + 4 * quads
     assert len(surface.cells) == vertices + 2 * edges + corners
     assert len(surface.faces) == corners + 2 * edges + triangles + quads
@@ -189,7 +189,7 @@ def test_V1_rounded_tetrahedron_is_the_same_from_every_corner() -> None:
     mesh.coordinates[:, ids] = np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]]).T
     shown = np.zeros(mesh.cell_count, bool)
     shown[0] = True
-    surface = extract_surface(Drawing(mesh), shown, "rounded", radius=0.2)
+    surface = extract_surface(DrawnMesh(mesh), shown, "rounded", radius=0.2)
     own = points_of(surface) * mesh.diagonal + mesh.centre
     distance = np.linalg.norm(own, axis=1).round(4)
     _, counts = np.unique(distance, return_counts=True)
@@ -202,4 +202,4 @@ def test_V1_rounded_closed_at_any_radius(kind: str, radius: float) -> None:
     mesh = split_grid(kind, 3, 0.1)
     for seed in range(3):
         shown = random_mask(mesh.cell_count, seed, 0.8)
-        check_closed(extract_surface(Drawing(mesh), shown, "rounded", radius=radius))
+        check_closed(extract_surface(DrawnMesh(mesh), shown, "rounded", radius=radius))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from hexalab.surface import Drawing, extract_silhouette, extract_surface
+from hexalab.surface import DrawnMesh, extract_silhouette, extract_surface
 from tests.core.surface.shapes import KINDS, grid, random_mask, split_grid
 from tests.core.topology.brute_force import BruteForce
 
@@ -13,7 +13,7 @@ from tests.core.topology.brute_force import BruteForce
 @pytest.mark.parametrize("kind", KINDS)
 def test_V3_silhouette_is_the_boundary_of_hidden_cells(kind: str) -> None:
     mesh = split_grid(kind, 3)
-    drawing = Drawing(mesh)
+    drawing = DrawnMesh(mesh)
     shown = random_mask(mesh.cell_count, 2)
     silhouette = extract_silhouette(drawing, shown)
     truth = BruteForce(mesh.cells.tolist())
@@ -27,7 +27,7 @@ def test_V3_silhouette_is_the_boundary_of_hidden_cells(kind: str) -> None:
 
 def test_V3_silhouette_and_lines_make_the_whole_boundary() -> None:
     mesh = grid(4, 4, 4, jitter=0.1)
-    drawing = Drawing(mesh)
+    drawing = DrawnMesh(mesh)
     shown = random_mask(mesh.cell_count, 2)
     silhouette = extract_silhouette(drawing, shown)
     surface = extract_surface(drawing, shown, "lines")
@@ -44,6 +44,6 @@ def test_V3_silhouette_and_lines_make_the_whole_boundary() -> None:
 
 
 def test_V3_nothing_hidden_no_silhouette() -> None:
-    silhouette = extract_silhouette(Drawing(grid(2, 2, 2)), np.ones(8, bool))
+    silhouette = extract_silhouette(DrawnMesh(grid(2, 2, 2)), np.ones(8, bool))
     assert len(silhouette.positions) == len(silhouette.normals) == 0
     assert set(silhouette.arrays()) == {"positions", "normals"}

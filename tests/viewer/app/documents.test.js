@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { documentText, parse, problemsInWords } from "../../../static/viewer/app/documents.js";
+import { documentText, parse, rejectionsInWords } from "../../../static/viewer/app/documents.js";
 
 test("S2: a status as text reads back the same, whatever its texts hold", () => {
   const status = {
@@ -23,8 +23,8 @@ test("S2: text that is no document is named, with where it came from", () => {
 test("S1: wrong values are named by their path, the first three of many", () => {
   const problem = (/** @type {string} */ path) => ({ path, found: "-1", expected: "at least 0" });
   assert.equal(
-    problemsInWords([problem("a.b")]),
+    rejectionsInWords([problem("a.b")]),
     "a.b: found -1, expected at least 0. The rest was applied.",
   );
-  assert.match(problemsInWords(["a", "b", "c", "d", "e"].map(problem)), /c: .*; and 2 more\. The rest/);
+  assert.match(rejectionsInWords(["a", "b", "c", "d", "e"].map(problem)), /c: .*; and 2 more\. The rest/);
 });

@@ -1,9 +1,10 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { concernsCore, Drawing } from "../../../static/viewer/app/drawing.js";
+import { Drawing } from "../../../static/viewer/app/drawing.js";
 import { Messages } from "../../../static/viewer/app/messages.js";
 import { Superseded } from "../../../static/viewer/core/client.js";
 import { Facts } from "../../../static/viewer/state/facts.js";
+import { CoreSettings } from "../../../static/viewer/state/core_settings.js";
 import { StatusStore } from "../../../static/viewer/state/store.js";
 
 const DEFAULTS = {
@@ -13,11 +14,13 @@ const DEFAULTS = {
   colour: { by: "sides", map: "parula" },
 };
 
+const CORE_PATHS = ["filters", "separation.mode", "colour.by", "colour.range", "irregular"];
+
 /** A core that answers when told, and a scene that keeps what it was given. */
 function parts() {
   const store = new StatusStore(DEFAULTS);
   const facts = new Facts({ timings: {} });
-  /** @type {{ status: any, lean: boolean, answer: (value: any) => void, fail: (error: Error) => void }[]} */
+  /** @type {{ changed: any, lean: boolean, answer: (value: any) => void, fail: (error: Error) => void }[]} */
   const calls = [];
   /** @type {any[]} */
   const drawn = [];
@@ -38,18 +41,28 @@ function parts() {
     showPlane: note("plane"),
   };
   const client = {
-    call: (/** @type {string} */ _, /** @type {any[]} */ [status, lean]) =>
-      new Promise((answer, fail) => calls.push({ status, lean, answer, fail })),
+    call: (/** @type {string} */ _, /** @type {() => any[]} */ args) => {
+      const [changed, lean] = args();
+      return new Promise((answer, fail) => calls.push({ changed, lean, answer, fail }));
+    },
   };
   const messages = new Messages(facts);
-  const drawing = new Drawing({ store, client, scene, facts, messages });
-  drawing.ready = true;
+  const drawing = new Drawing({
+    store,
+    client,
+    scene,
+    facts,
+    messages,
+    tables: /** @type {any} */ ({ core_paths: CORE_PATHS }),
+  });
+  drawing.begin();
   drawn.length = 0;
   return { store, facts, calls, drawn, drawing, scene, heard };
 }
 
 test("P6: camera and map go to the scene alone; filters and what is coloured by go to the core too", () => {
-  assert.equal(concernsCore(["camera.distance", "colour.map", "background", "lighting.mode"]), false);
+  const settings = new CoreSettings(CORE_PATHS);
+  assert.equal(settings.concern(["camera.distance", "colour.map", "background", "lighting.mode"]), false);
   for (const path of [
     "filters.planes.items",
     "colour.by",
@@ -57,7 +70,7 @@ test("P6: camera and map go to the scene alone; filters and what is coloured by 
     "separation.mode",
     "irregular.mode",
   ]) {
-    assert.equal(concernsCore([path]), true, path);
+    assert.equal(settings.concern([path]), true, path);
   }
   const { store, calls, drawn } = parts();
   store.set({ camera: { distance: 2 } });
@@ -111,13 +124,28 @@ test("P2: a hurried scene gets lean surfaces, and the whole one when it has calm
   scene.hurried = false;
   heard.calm(); // even while the lean answer is on its way
   assert.equal(calls[1].lean, false);
-  assert.deepEqual(
-    calls[1].status,
-    store.status,
-    "the whole status: it may take the place of a call that waits",
-  );
+  assert.deepEqual(calls[1].changed, {}, "the lean call took the change with it");
   for (const call of calls) call.answer({ shown_cells: 5, shown_faces: 9 });
   await settle();
   heard.calm();
   assert.equal(calls.length, 2);
+});
+
+test("P2: the core is told what has changed since it was told last, and all after another mesh or a failure", async () => {
+  const { store, calls, drawing } = parts();
+  const settle = () => new Promise((resolve) => setTimeout(resolve));
+  const whole = () => ({ filters: store.status.filters, colour: { by: store.status.colour.by } });
+  store.set({ filters: { planes: { items: [1] } } });
+  assert.deepEqual(calls[0].changed, whole());
+  store.set({ colour: { by: "quality" } });
+  assert.deepEqual(calls[1].changed, { colour: { by: "quality" } });
+  store.set({ colour: { by: "sides", map: "jet" } });
+  assert.deepEqual(calls[2].changed, { colour: { by: "sides" } });
+  calls[2].fail(new Error("the mesh has no such attribute"));
+  await settle();
+  store.set({ filters: { planes: { items: [2] } } });
+  assert.deepEqual(calls[3].changed, whole());
+  drawing.begin();
+  drawing.update();
+  assert.deepEqual(calls[4].changed, whole());
 });

@@ -2,16 +2,31 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { CoreClient, CoreError, Superseded } from "../../../static/viewer/core/client.js";
+import { WorkerTransport } from "../../../static/viewer/core/worker_transport.js";
+import { packed } from "../packed.js";
 
 /** A worker that answers when told to, and remembers what it was sent. */
 class ManualWorker {
+  /** @type {any[]} */
   sent = [];
   terminated = false;
+  /** @type {(event: any) => void} */
+  onmessage = () => {};
+  /** @param {any} message */
   postMessage(message) {
     this.sent.push(message);
   }
+  /** @param {any} data */
   reply(data) {
     this.onmessage({ data });
+  }
+  /** @param {number} id @param {unknown} result @param {number} [milliseconds] */
+  answer(id, result, milliseconds = 1) {
+    this.reply({ id, packed: packed({ result }), milliseconds });
+  }
+  /** @param {number} id @param {{ kind: string, message: string }} error */
+  refuse(id, error) {
+    this.reply({ id, packed: packed({ error }), milliseconds: 1 });
   }
   terminate() {
     this.terminated = true;
@@ -19,28 +34,33 @@ class ManualWorker {
 }
 
 function client() {
+  /** @type {ManualWorker[]} */
   const workers = [];
-  const made = new CoreClient({
-    worker: "worker.js",
-    runtime: "runtime/",
-    makeWorker: () => (workers.push(new ManualWorker()), workers.at(-1)),
-  });
-  return { client: made, workers, worker: workers[0] };
+  const transport = new WorkerTransport({ worker: "worker.js", runtime: "runtime/" });
+  transport.makeWorker = () => {
+    workers.push(new ManualWorker());
+    return /** @type {any} */ (workers.at(-1));
+  };
+  return { client: new CoreClient(transport), workers, worker: workers[0] };
 }
 
+/** @param {ManualWorker} worker */
 const boot = (worker) => worker.reply({ ready: { interpreter: 1, core: 1 } });
+/** @param {ManualWorker} worker */
 const calls = (worker) => worker.sent.filter((message) => message.method);
+/** @param {ManualWorker} worker */
+const last = (worker) => calls(worker).at(-1).id;
 
 test("the worker is told where the runtime is, and calls wait until Python is ready", async () => {
   const { client: core, worker } = client();
   assert.deepEqual(worker.sent, [{ boot: "runtime/" }]);
-  const answer = core.call("schema");
+  const answer = core.call("validity");
   assert.equal(calls(worker).length, 0);
   boot(worker);
   await core.ready;
-  worker.reply({ id: calls(worker)[0].id, result: { a: 1 }, milliseconds: 5 });
+  worker.answer(last(worker), { a: 1 }, 5);
   assert.deepEqual(await answer, { a: 1 });
-  assert.equal(core.milliseconds.schema, 5);
+  assert.equal(core.milliseconds.validity, 5);
 });
 
 test("P2 a newer slice takes the place of one that still waits; the pointer never queues", async () => {
@@ -52,10 +72,10 @@ test("P2 a newer slice takes the place of one that still waits; the pointer neve
   const third = core.call("update", [3], { replace: "update" });
   await assert.rejects(second, Superseded);
   assert.equal(core.pending, 3);
-  for (const result of ["one", "histogram", "three"]) worker.reply({ id: calls(worker).at(-1).id, result });
+  for (const result of ["one", "histogram", "three"]) worker.answer(last(worker), result);
   assert.deepEqual(await Promise.all([first, other, third]), ["one", "histogram", "three"]);
   assert.deepEqual(
-    calls(worker).map(({ method, args }) => [method, ...args]),
+    calls(worker).map(({ method, text }) => [method, ...JSON.parse(text)]),
     [["update", 1], ["histogram"], ["update", 3]],
   );
 });
@@ -64,13 +84,10 @@ test("R10 an error of Python rejects the call by its kind, and the next call goe
   const { client: core, worker } = client();
   boot(worker);
   const broken = core.call("open", ["a.mesh", new ArrayBuffer(3)]);
-  const next = core.call("schema");
-  worker.reply({
-    id: 1,
-    error: { kind: "MeshReadError", message: "a.mesh: the file is empty", fatal: false },
-  });
+  const next = core.call("validity");
+  worker.refuse(1, { kind: "MeshReadError", message: "a.mesh: the file is empty" });
   await assert.rejects(broken, (error) => error instanceof CoreError && error.kind === "MeshReadError");
-  worker.reply({ id: 2, result: "fine" });
+  worker.answer(2, "fine");
   assert.equal(await next, "fine");
 });
 
@@ -81,11 +98,8 @@ test("V9 a worker that dies is replaced; calls under way are rejected and the pa
   const told = [];
   for (const name of ["died", "restarted"]) core.addEventListener(name, () => told.push(name));
   const lost = core.call("open", ["a.mesh", new ArrayBuffer(1)]);
-  const waiting = core.call("schema");
-  worker.reply({
-    id: 1,
-    error: { kind: "RuntimeError", message: "memory access out of bounds", fatal: true },
-  });
+  const waiting = core.call("validity");
+  worker.reply({ broken: { kind: "RuntimeError", message: "memory access out of bounds" } });
   await assert.rejects(lost, { message: "memory access out of bounds" });
   await assert.rejects(waiting, { kind: "WorkerError" });
   assert.ok(worker.terminated);
@@ -93,14 +107,14 @@ test("V9 a worker that dies is replaced; calls under way are rejected and the pa
   await core.ready;
   await new Promise(setImmediate);
   assert.deepEqual(told, ["died", "restarted"]);
-  const again = core.call("schema");
-  workers[1].reply({ id: calls(workers[1])[0].id, result: 1 });
+  const again = core.call("validity");
+  workers[1].answer(last(workers[1]), 1);
   assert.equal(await again, 1);
 });
 
 test("a core that can't start rejects `ready` and every call", async () => {
   const { client: core, worker } = client();
-  const call = core.call("schema");
+  const call = core.call("validity");
   worker.reply({ failed: { kind: "TypeError", message: "no WebAssembly" } });
   await assert.rejects(core.ready, { message: "no WebAssembly" });
   await assert.rejects(call, { message: "no WebAssembly" });
@@ -114,8 +128,8 @@ test("events tell when the core is busy, idle, and which file was opened", async
   core.addEventListener("idle", () => told.push("idle"));
   core.addEventListener("identified", (event) => told.push(event.detail.sha256));
   const call = core.call("open", ["a.mesh", new ArrayBuffer(1)]);
-  worker.reply({ id: 1, result: {} });
-  worker.reply({ opened: 1, sha256: "ab" });
+  worker.answer(1, {});
+  worker.reply({ id: 1, sha256: "ab" });
   await call;
   assert.deepEqual(told, ["open", "idle", "ab"]);
 });
@@ -126,12 +140,40 @@ test("a file that could not be read, or was followed by another, does not name t
   const told = [];
   core.addEventListener("identified", (event) => told.push(event.detail.sha256));
   const calls = [1, 2, 3].map((id) => core.call("open", [`${id}.mesh`, new ArrayBuffer(1)]));
-  worker.reply({ id: 1, result: {} });
-  worker.reply({ id: 2, result: {} });
-  worker.reply({ opened: 1, sha256: "a" });
-  worker.reply({ opened: 2, sha256: "b" });
-  worker.reply({ id: 3, error: { kind: "MeshReadError", message: "no mesh", fatal: false } });
-  worker.reply({ opened: 3, sha256: "c" });
+  worker.answer(1, {});
+  worker.answer(2, {});
+  worker.reply({ id: 1, sha256: "a" });
+  worker.reply({ id: 2, sha256: "b" });
+  worker.refuse(3, { kind: "MeshReadError", message: "no mesh" });
+  worker.reply({ id: 3, sha256: "c" });
   await assert.rejects(calls[2], { message: "no mesh" });
   assert.deepEqual(told, ["b"]);
+});
+
+test("arguments that a function makes are made when the call is sent, and never for one that is replaced", async () => {
+  const { client: core, worker } = client();
+  boot(worker);
+  let value = 1;
+  /** @type {number[]} */
+  const made = [];
+  const args = () => [made[made.push(value) - 1]];
+  const running = core.call("update", args, { replace: "update" });
+  const replaced = core.call("update", args, { replace: "update" });
+  const waiting = core.call("update", args, { replace: "update" });
+  value = 2;
+  await assert.rejects(replaced, Superseded);
+  worker.answer(last(worker), "one");
+  worker.answer(last(worker), "two");
+  assert.deepEqual(await Promise.all([running, waiting]), ["one", "two"]);
+  assert.deepEqual(made, [1, 2]);
+});
+
+test("a file's bytes go beside the question's text, handed over", () => {
+  const { client: core, worker } = client();
+  boot(worker);
+  const bytes = Uint8Array.of(1, 2, 3).buffer;
+  core.call("open", ["a.mesh", bytes]).catch(() => {});
+  const { text, blocks } = calls(worker)[0];
+  assert.deepEqual(JSON.parse(text), ["a.mesh", { $bytes: 0 }]);
+  assert.deepEqual(blocks, [bytes]);
 });

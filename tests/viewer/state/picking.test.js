@@ -19,11 +19,15 @@ test("F4: dug and undug cells are kept apart, in order, once each", () => {
   const picking = [9, 3, 9, 11].reduce(dig, clear());
   assert.deepEqual(picking.hidden, [3, 9, 11]);
   assert.deepEqual(undig(picking, 5).shown, [5]);
+  assert.deepEqual(undig(picking, 3).hidden, [9, 11], "an undug cell leaves the list of the dug");
 });
 
 test("F4: isolate hides all others; digging the isolated cell hides it too", () => {
   assert.deepEqual(isolate([7, 2, 7]), { enabled: true, isolated: true, hidden: [], shown: [2, 7] });
   assert.deepEqual(dig(isolate([2, 7]), 7).shown, [2]);
+  assert.deepEqual(undig(isolate([4]), 6), { enabled: true, isolated: true, hidden: [], shown: [4, 6] });
+  const cleared = dig(isolate([4, 6]), 4);
+  assert.deepEqual([cleared.isolated, cleared.shown, cleared.hidden], [true, [6], []]);
 });
 
 test("F4: cells by number are read back as they were written", () => {

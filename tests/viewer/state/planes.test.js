@@ -20,7 +20,9 @@ test("F1: set plane takes the view direction as normal", () => {
 });
 
 test("F1: with shift, the nearest signed axis", () => {
-  assert.deepEqual(fromView(PLANE, [0.2, -0.9, 0.3], true).normal, [0, -1, 0]);
+  assert.deepEqual(fromView(PLANE, [0.2, -0.9, 0.4], true), { ...PLANE, normal: [0, -1, 0] });
+  const upright = { ...PLANE, normal: /** @type {const} */ ([0, 1, 0]) };
+  assert.deepEqual(fromView(upright, [0.8, -0.5, 0.4], true), { ...PLANE, normal: [1, 0, 0] });
 });
 
 test("F1: within 20 degrees of opposite the plane is exactly inverted, beyond it is not", () => {
@@ -31,6 +33,29 @@ test("F1: within 20 degrees of opposite the plane is exactly inverted, beyond it
   });
   assert.deepEqual(fromView(PLANE, at(180 - 20.1), false).normal, at(180 - 20.1));
   assert.deepEqual(fromView(PLANE, at(180 - 20.1), true).normal, [-1, 0, 0]);
+});
+
+test("F1: that holds for a normal of any direction and length, with shift and without", () => {
+  const plane = { enabled: true, normal: /** @type {const} */ ([1, 2, -0.5]), offset: 0.25 };
+  const length = Math.hypot(...plane.normal);
+  const sideways = [2 / Math.sqrt(5), -1 / Math.sqrt(5), 0]; // at right angles to the normal
+  for (const [degrees, inverts] of /** @type {const} */ ([
+    [0, true],
+    [19.9, true],
+    [20.1, false],
+    [90, false],
+  ])) {
+    const angle = (degrees * Math.PI) / 180;
+    const view = plane.normal.map(
+      (part, axis) => -((Math.cos(angle) * part) / length + Math.sin(angle) * sideways[axis]),
+    );
+    for (const snap of [false, true]) {
+      const found = fromView(plane, /** @type {any} */ (view), snap);
+      const inverted = { enabled: true, normal: [-1, -2, 0.5], offset: 0.75 };
+      if (inverts) assert.deepEqual(found, inverted);
+      else assert.notDeepEqual(found, inverted);
+    }
+  }
 });
 
 test("F1: inverting twice gives the plane back", () => {

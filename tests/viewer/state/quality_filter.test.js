@@ -14,12 +14,12 @@ const SKEW = { best: "low", worstValue: 0.8, bestValue: 0 };
 test("F3: the left end hides nothing, the right end keeps only the worst value", () => {
   assert.equal(oneSided("scaled_jacobian", "worst", 0, JACOBIAN), null);
   const all = oneSided("scaled_jacobian", "worst", 1, JACOBIAN);
-  assert.deepEqual(all, { source: "scaled_jacobian", keep: "inside", minimum: null, maximum: 0 });
+  assert.deepEqual(all, { quantity: "scaled_jacobian", keep: "inside", minimum: null, maximum: 0 });
 });
 
 test("F3: where low is best, the worst are those above the bound", () => {
   const half = oneSided("skew", "worst", 0.5, SKEW);
-  assert.deepEqual(half, { source: "skew", keep: "inside", minimum: 0.4, maximum: null });
+  assert.deepEqual(half, { quantity: "skew", keep: "inside", minimum: 0.4, maximum: null });
   assert.equal(keepOf(half ?? undefined, SKEW), "worst");
 });
 
@@ -42,7 +42,7 @@ for (const [name, scale] of Object.entries({ JACOBIAN, SKEW })) {
 
 test("F3: a band has both ends, inside or outside", () => {
   const band = changedKeep("skew", "band", undefined, SKEW) ?? undefined;
-  assert.deepEqual(band, { source: "skew", keep: "inside", minimum: 0, maximum: 0.8 });
+  assert.deepEqual(band, { quantity: "skew", keep: "inside", minimum: 0, maximum: 0.8 });
   assert.equal(keepOf(band, SKEW), "band");
   const hole = changedKeep("skew", "outside", band, SKEW) ?? undefined;
   assert.equal(keepOf(hole, SKEW), "outside");

@@ -9,15 +9,15 @@ import numpy as np
 from ..arrays import Array, Floats, Ids
 from ..mesh import Mesh
 from ..topology import Topology
-from .buffers import Floats32
 from .collapse import first_places
+from .records import Floats32
 
 
-class Drawing:
+class DrawnMesh:
     """A mesh made ready to be drawn.
 
-    >>> drawing = Drawing(mesh)
-    >>> surface = extract_surface(drawing, shown, "lines")
+    >>> drawn_mesh = DrawnMesh(mesh)
+    >>> surface = extract_surface(drawn_mesh, shown, "lines")
     """
 
     def __init__(self, mesh: Mesh) -> None:

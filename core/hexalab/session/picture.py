@@ -1,4 +1,4 @@
-"""From a status to what is drawn: each part is made anew only when what it depends on has changed."""
+"""From settings to what is drawn: each part is made anew only when what it depends on has changed."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from numpy.typing import NDArray
 from ..surface import LINED, extract_silhouette, extract_surface
 from .opened import Opened
 
-Status = dict[str, Any]
+Settings = dict[str, Any]
 Shown = NDArray[np.bool_]
 
 BARBED = (3, 4)
 PAPER = (5, 6)
 
 
-class Buffers:
+class Picture:
     """What was drawn last of an open mesh, and under which settings.
 
     Parameters
@@ -29,40 +29,45 @@ class Buffers:
     def __init__(self, opened: Opened) -> None:
         self.opened = opened
         self.shown: Shown = np.ones(opened.mesh.cell_count, dtype=bool)
-        self._filters: Status | None = None
+        self._filters: Settings | None = None
         self._version = 0
         self._shown_faces = 0
         self._made: dict[str, Any] = {}
         self.timings: dict[str, float] = {}
 
-    def update(self, status: Status, lean: bool = False) -> dict[str, Any]:
-        """Return the buffers that differ from those of the last call; `pending` names those put off.
+    def update(self, settings: Settings, lean: bool = False) -> dict[str, Any]:
+        """Return the records that differ from those of the last call; `pending` names those put off.
+
+        The settings are those that concern the core (`hexalab.status.CORE_PATHS`), all of them.
 
         A lean update leaves out what a draft does without, edges and silhouette; the next one that is not
         brings them.
         """
+        try:
+            return self._update(settings, lean)
+        except Exception:
+            self._made = {}  # what was made before it failed reaches nobody: the next update returns it all
+            raise
+
+    def _update(self, settings: Settings, lean: bool) -> dict[str, Any]:
         self.timings = {}
-        self._filter(status["filters"])
+        self._filter(settings["filters"])
         parts: dict[str, Any] = {}
-        separation = status["separation"]
+        separation = settings["separation"]
         edges = separation["mode"] in LINED and not lean
         if self._is_new("surface", (self._version, separation["mode"], _size(separation), edges)):
             parts["surface"] = self._timed("surface", self._extract_surface, separation, edges)
-        if status["silhouette"] > 0 and not lean and self._is_new("silhouette", self._version):
+        if settings["silhouette"] > 0 and not lean and self._is_new("silhouette", self._version):
             parts["silhouette"] = self._timed("silhouette", self._extract_silhouette)
-        irregular, pending = self._irregular_parts(status["irregular"])
+        irregular, pending = self._irregular_parts(settings["irregular"])
         if irregular is not None and not pending and self._is_new("irregular", irregular):
             parts["irregular"] = self._timed("irregular", self._extract_irregular, *irregular)
-        colour = status["colour"]
-        source = source_of(colour)
-        if self._is_new("colour", (source, _frozen(colour["range"]) if colour["by"] != "kind" else None)):
+        colour = settings["colour"]
+        quantity = quantity_of(colour)
+        if self._is_new("colour", (quantity, _frozen(colour["range"]) if colour["by"] != "kind" else None)):
             parts["colour"] = self._timed("colour", self.colour, colour)
         parts["pending"] = ["irregular"] if pending else []
         return parts
-
-    def forget(self) -> None:
-        """Let the next update return everything."""
-        self._made = {}
 
     def shown_faces(self) -> int:
         """Return the number of faces between shown cells and hidden ones or the outside."""
@@ -70,25 +75,31 @@ class Buffers:
             self._shown_faces = len(self.opened.mesh.topology.interface(self.shown).rows)
         return self._shown_faces
 
-    def colour(self, colour: Status) -> dict[str, Any] | None:
+    def colour(self, colour: Settings) -> dict[str, Any] | None:
         """Return each cell's place on the colour map and what the map means; None for sides."""
-        opened, source = self.opened, source_of(colour)
-        if source is None:
+        opened, quantity = self.opened, quantity_of(colour)
+        if quantity is None:
             return None
-        if source == "kind":
+        if quantity == "kind":
             kinds = opened.mesh.kinds.astype(np.float32)
-            return {"map_position": kinds, "source": source, "label": "Cell kind", "low": None, "high": None}
-        positions = opened.map_positions(source, opened.values(source), colour["range"])
-        low, high = colour["range"] or opened.range_of(source) or (None, None)
+            return {
+                "map_position": kinds,
+                "quantity": quantity,
+                "label": "Cell kind",
+                "low": None,
+                "high": None,
+            }
+        positions = opened.map_positions(quantity, opened.values(quantity), colour["range"])
+        low, high = colour["range"] or opened.range_of(quantity) or (None, None)
         return {
             "map_position": positions.astype(np.float32),
-            "source": source,
-            "label": opened.label_of(source),
+            "quantity": quantity,
+            "label": opened.label_of(quantity),
             "low": low,
             "high": high,
         }
 
-    def _filter(self, filters: Status) -> None:
+    def _filter(self, filters: Settings) -> None:
         if filters == self._filters:
             return
         began = perf_counter()
@@ -99,14 +110,14 @@ class Buffers:
             self._version += 1
         self.timings["filters"] = 1000 * (perf_counter() - began)
 
-    def _extract_surface(self, separation: Status, edges: bool) -> dict[str, Any]:
+    def _extract_surface(self, separation: Settings, edges: bool) -> dict[str, Any]:
         mode, sizes = separation["mode"], {name: separation[name] for name in ("gap", "radius")}
-        return extract_surface(self.opened.drawing, self.shown, mode, **sizes, edges=edges).arrays()
+        return extract_surface(self.opened.drawn_mesh, self.shown, mode, **sizes, edges=edges).arrays()
 
     def _extract_silhouette(self) -> dict[str, Any]:
-        return extract_silhouette(self.opened.drawing, self.shown).arrays()
+        return extract_silhouette(self.opened.drawn_mesh, self.shown).arrays()
 
-    def _irregular_parts(self, irregular: Status) -> tuple[tuple[bool, bool] | None, bool]:
+    def _irregular_parts(self, irregular: Settings) -> tuple[tuple[bool, bool] | None, bool]:
         """Which parts the mode draws, None for none; and whether they have to wait for the edges."""
         mode = irregular["mode"]
         if not mode:
@@ -129,13 +140,13 @@ class Buffers:
         return made
 
 
-def source_of(colour: Status) -> str | None:
+def quantity_of(colour: Settings) -> str | None:
     """Return what cells are coloured by: a metric's or an attribute's id, "kind", or None for sides."""
     by = colour["by"]
     return {"quality": colour["metric"], "attribute": colour["attribute"], "kind": "kind"}.get(by)
 
 
-def _size(separation: Status) -> float | None:
+def _size(separation: Settings) -> float | None:
     """Return the number that the mode's geometry depends on."""
     name = {"fissure": "gap", "rounded": "radius"}.get(separation["mode"])
     return separation[name] if name else None

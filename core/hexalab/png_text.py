@@ -21,7 +21,7 @@ TEXT_CHUNKS = (b"iTXt", b"zTXt", b"tEXt")
 IEND = b"IEND"
 
 
-class PictureError(HexaLabError):
+class PngError(HexaLabError):
     """A file is not a picture that carries settings."""
 
 
@@ -30,16 +30,16 @@ def read_settings(data: bytes) -> Any:
 
     Raises
     ------
-    PictureError
+    PngError
         If the bytes are no PNG, or carry no settings, or settings that are not JSON.
     """
     text = read_text(data)
     if text is None:
-        raise PictureError(f"the picture carries no settings (no text chunk named {KEYWORD})")
+        raise PngError(f"the picture carries no settings (no text chunk named {KEYWORD})")
     try:
         return json.loads(text)
     except (ValueError, RecursionError) as error:
-        raise PictureError(f"the picture's settings are not JSON: {error}") from None
+        raise PngError(f"the picture's settings are not JSON: {error}") from None
 
 
 def read_text(data: bytes, keyword: str = KEYWORD) -> str | None:
@@ -47,7 +47,7 @@ def read_text(data: bytes, keyword: str = KEYWORD) -> str | None:
 
     Raises
     ------
-    PictureError
+    PngError
         If the bytes are no PNG, or the text can't be decompressed or is larger than 16 MB.
     """
     for name, start, end in _chunks(data):
@@ -64,7 +64,7 @@ def write_text(data: bytes, text: str, keyword: str = KEYWORD) -> bytes:
 
     Raises
     ------
-    PictureError
+    PngError
         If the bytes are no PNG.
     """
     body = keyword.encode("latin-1") + b"\0\0\0\0\0" + text.encode()
@@ -82,15 +82,15 @@ def write_text(data: bytes, text: str, keyword: str = KEYWORD) -> bytes:
 def _chunks(data: bytes) -> Iterator[tuple[bytes, int, int]]:
     """Yield each chunk's name and where its data start and end, IEND last."""
     if data[: len(SIGNATURE)] != SIGNATURE:
-        raise PictureError("not a PNG picture")
+        raise PngError("not a PNG picture")
     place = len(SIGNATURE)
     while True:
         if place + 12 > len(data):
-            raise PictureError("the PNG picture is cut off: it has no IEND chunk")
+            raise PngError("the PNG picture is cut off: it has no IEND chunk")
         (size,) = struct.unpack_from(">I", data, place)
         name, start, end = data[place + 4 : place + 8], place + 8, place + 8 + size
         if end + 4 > len(data):
-            raise PictureError(f"the PNG picture is cut off inside the chunk at byte {place}")
+            raise PngError(f"the PNG picture is cut off inside the chunk at byte {place}")
         yield name, start, end
         if name == IEND:
             return
@@ -107,7 +107,7 @@ def _decoded(name: bytes, rest: bytes) -> str:
     try:
         return (_inflated(text) if compressed else text).decode()
     except UnicodeDecodeError:
-        raise PictureError("the picture's settings are not UTF-8 text") from None
+        raise PngError("the picture's settings are not UTF-8 text") from None
 
 
 def _inflated(data: bytes) -> bytes:
@@ -115,7 +115,7 @@ def _inflated(data: bytes) -> bytes:
     try:
         text = inflater.decompress(data, LARGEST_TEXT)
     except zlib.error as error:
-        raise PictureError(f"the picture's settings can't be decompressed: {error}") from None
+        raise PngError(f"the picture's settings can't be decompressed: {error}") from None
     if inflater.unconsumed_tail:
-        raise PictureError(f"the picture's settings are larger than {LARGEST_TEXT} bytes")
+        raise PngError(f"the picture's settings are larger than {LARGEST_TEXT} bytes")
     return text

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from hexalab.picture import PictureError, read_settings, read_text, write_text
+from hexalab.png_text import PngError, read_settings, read_text, write_text
 
 ROOT = Path(__file__).parents[3]
 PICTURES = Path(os.environ.get("HEXALAB_PICTURES", ROOT / "../shared/reference/pictures"))
@@ -91,5 +91,5 @@ LARGE = zlib.compress(bytes(17 * 1024 * 1024))
     ],
 )
 def test_S3_what_carries_no_settings_is_told(data: bytes, words: str) -> None:
-    with pytest.raises(PictureError, match=words):
+    with pytest.raises(PngError, match=words):
         read_settings(data)

@@ -8,7 +8,7 @@ from ..errors import MeshReadError
 
 
 @dataclass(frozen=True)
-class Source:
+class File:
     """What a reader reads.
 
     Parameters

@@ -36,7 +36,7 @@ class Surface:
         Vertices of each quad, to be drawn as triangles 0 1 2 and 0 2 3; None if they stand four by four. A
         triangle repeats its last vertex.
     faces : (Q,) uint32
-        Cell times 8 plus the face's place in `hexalab.mesh.FACES`, for each quad.
+        Cell times 8 plus the face's place in `hexalab.cells.FACES`, for each quad.
     edges : (6 E,) float32
         End points of the lines to draw, each edge once; only in the modes that draw lines.
     edge_cells : (E,) uint8

@@ -1,18 +1,18 @@
-"""What a status may name only of an open mesh: metrics, attributes, cells."""
+"""What a settings document may name only of an open mesh: metrics, attributes, cells."""
 
 from __future__ import annotations
 
 from typing import Any
 
 from ..quality import METRICS
-from ..status import Problem
+from ..status import Rejection
 from .opened import Opened
 
 Partial = dict[str, Any]
 
 
-def checked(partial: Partial, opened: Opened | None) -> tuple[Partial, list[Problem]]:
-    """Leave out of a clean part of a status what the open mesh has not got.
+def checked(partial: Partial, opened: Opened | None) -> tuple[Partial, list[Rejection]]:
+    """Leave out of a clean part of a settings document what the open mesh has not got.
 
     Parameters
     ----------
@@ -24,53 +24,48 @@ def checked(partial: Partial, opened: Opened | None) -> tuple[Partial, list[Prob
     Returns
     -------
     partial : dict
-    problems : list of Problem
+    rejections : list of Rejection
     """
-    problems: list[Problem] = []
+    rejections: list[Rejection] = []
     out = {name: part for name, part in partial.items() if name != "mesh"}
     if "colour" in out:
-        out["colour"] = _colour(dict(out["colour"]), opened, problems)
+        out["colour"] = _colour(dict(out["colour"]), opened, rejections)
     if "filters" in out:
         out["filters"] = dict(out["filters"])
         for name, check in (("quality", _bands), ("picking", _cells)):
             if name in out["filters"]:
-                out["filters"][name] = check(dict(out["filters"][name]), opened, problems)
-    return out, problems
+                out["filters"][name] = check(dict(out["filters"][name]), opened, rejections)
+    return out, rejections
 
 
-def no_attribute(colour: Partial, opened: Opened) -> Problem:
-    """Tell that cells can't be coloured by an attribute that the mesh has not got."""
-    return _unknown("colour.attribute", colour["attribute"], opened.attributes)
-
-
-def _colour(colour: Partial, opened: Opened | None, problems: list[Problem]) -> Partial:
+def _colour(colour: Partial, opened: Opened | None, rejections: list[Rejection]) -> Partial:
     metric, attribute = colour.get("metric"), colour.get("attribute")
     if metric is not None and metric not in METRICS:
-        problems.append(_unknown("colour.metric", metric, METRICS))
+        rejections.append(_unknown("colour.metric", metric, METRICS))
         del colour["metric"]
         if colour.get("by") == "quality":
             del colour["by"]
     if attribute and opened and attribute not in opened.attributes:
-        problems.append(_unknown("colour.attribute", attribute, opened.attributes))
+        rejections.append(_unknown("colour.attribute", attribute, opened.attributes))
         del colour["attribute"]
         if colour.get("by") == "attribute":
             del colour["by"]
     return colour
 
 
-def _bands(quality: Partial, opened: Opened | None, problems: list[Problem]) -> Partial:
+def _bands(quality: Partial, opened: Opened | None, rejections: list[Rejection]) -> Partial:
     kept = []
     for place, band in enumerate(quality.get("items", ())):
-        source = band["source"]
-        if source in METRICS or not opened or source in opened.attributes:
+        quantity = band["quantity"]
+        if quantity in METRICS or not opened or quantity in opened.attributes:
             kept.append(band)
         else:
             known = [*METRICS, *opened.attributes]
-            problems.append(_unknown(f"filters.quality.items[{place}].source", source, known))
+            rejections.append(_unknown(f"filters.quality.items[{place}].quantity", quantity, known))
     return {**quality, "items": kept} if "items" in quality else quality
 
 
-def _cells(picking: Partial, opened: Opened | None, problems: list[Problem]) -> Partial:
+def _cells(picking: Partial, opened: Opened | None, rejections: list[Rejection]) -> Partial:
     if not opened:
         return picking
     count = opened.mesh.cell_count
@@ -79,14 +74,14 @@ def _cells(picking: Partial, opened: Opened | None, problems: list[Problem]) -> 
         if cells and max(cells) >= count:
             beyond = [cell for cell in cells if cell >= count]
             words = f"cell numbers below {count}, for this mesh has {count} cells"
-            problems.append(
-                Problem(f"filters.picking.{name}", f"{len(beyond)} cells from {min(beyond)} up", words)
+            rejections.append(
+                Rejection(f"filters.picking.{name}", f"{len(beyond)} cells from {min(beyond)} up", words)
             )
             picking[name] = [cell for cell in cells if cell < count]
     return picking
 
 
-def _unknown(path: str, found: str, known: Any) -> Problem:
-    return Problem(
+def _unknown(path: str, found: str, known: Any) -> Rejection:
+    return Rejection(
         path, f'"{found}"', f"one of {', '.join(known)}" if known else "nothing: the mesh has none"
     )

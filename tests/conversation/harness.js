@@ -1,0 +1,50 @@
+// The page that the conversation goes through: the viewer's own client over one of its transports.
+import { CoreClient, CoreError } from "../../static/viewer/core/client.js";
+import { WorkerTransport } from "../../static/viewer/core/worker_transport.js";
+
+/** @type {Record<string, (place: any) => import("../../static/viewer/core/client.js").Transport>} */
+const TRANSPORTS = {
+  worker: ({ worker, runtime }) => new WorkerTransport({ worker, runtime }),
+};
+
+/** @type {CoreClient} */
+let client;
+
+/** Arrays as {dtype, base64}, all else as it is. @param {any} value @returns {any} */
+function told(value) {
+  if (ArrayBuffer.isView(value)) {
+    const bytes = new Uint8Array(value.buffer, value.byteOffset, value.byteLength);
+    const text = bytes.reduce((all, byte) => all + String.fromCharCode(byte), "");
+    return { array: value.constructor.name.replace("Array", "").toLowerCase(), base64: btoa(text) };
+  }
+  if (Array.isArray(value)) return value.map(told);
+  if (typeof value !== "object" || value === null) return value;
+  return Object.fromEntries(Object.entries(value).map(([key, one]) => [key, told(one)]));
+}
+
+/** @param {string} base64 */
+const blockOf = (base64) => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)).buffer;
+
+Object.assign(window, {
+  /** @param {string} way @param {any} place */
+  begin: async (way, place) => {
+    client = new CoreClient(TRANSPORTS[way](place));
+    await client.ready;
+  },
+  /** @param {string} method @param {any[]} args a file's bytes as {base64} */
+  ask: async (method, args) => {
+    try {
+      const given = args.map((one) => (one?.base64 === undefined ? one : blockOf(one.base64)));
+      return { result: told(await client.call(method, given)) };
+    } catch (error) {
+      if (!(error instanceof CoreError)) throw error;
+      return { error: { kind: error.kind, message: error.message } };
+    }
+  },
+  /** Restart the core as after a crash; resolves when it can be asked again. */
+  again: () =>
+    new Promise((resolve) => {
+      client.addEventListener("restarted", () => resolve(undefined), { once: true });
+      client.restart();
+    }),
+});

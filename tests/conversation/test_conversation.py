@@ -1,0 +1,157 @@
+"""One whole conversation between a viewer and a core, through every way there is; truth: counting by hand."""
+
+from __future__ import annotations
+
+import gzip
+import subprocess
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from playwright.sync_api import Browser
+
+from benchmarks.page import SITE, serve
+from hexalab.quality import METRICS
+from hexalab.session.door import METHODS
+from tests.conversation.ways import WAYS, Ask, Refused
+
+pytestmark = pytest.mark.browser
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.fixture(scope="module")
+def shelf(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder under /bench/ of the served site, with the harness in it."""
+    folder = tmp_path_factory.mktemp("conversation")
+    command = [ROOT / "node_modules/.bin/esbuild", Path(__file__).with_name("harness.js"), "--bundle"]
+    subprocess.run(
+        [*map(str, command), f"--outfile={folder / 'conversation.js'}"], check=True, capture_output=True
+    )
+    return folder
+
+
+@pytest.fixture(scope="module")
+def site(shelf: Path) -> Iterator[str]:
+    if not (SITE / "viewer" / "index.html").is_file():
+        pytest.fail("the site is not built: run `make build`")
+    with serve(shelf) as address:
+        yield address
+
+
+@pytest.fixture(scope="module", params=list(WAYS))
+def ask(request: pytest.FixtureRequest, chromium: Browser, site: str, shelf: Path) -> Iterator[Ask]:
+    with WAYS[request.param](chromium, site, shelf) as way:
+        yield way
+
+
+@pytest.fixture
+def said() -> set[str]:
+    """The methods that were asked for."""
+    return set()
+
+
+def test_A1_a_whole_conversation(ask: Ask, said: set[str], attributed: bytes, twisted: bytes) -> None:
+    def say(method: str, *args: Any) -> Any:
+        said.add(method)
+        return ask(method, *args)
+
+    with pytest.raises(Refused, match="no mesh is open") as refused:
+        say("update")
+    assert refused.value.kind == "HexaLabError"
+    assert say("check", {"silhouette": 0.5, "nonsense": 1})["rejections"][0]["path"] == "nonsense"
+
+    summary = say("open", "grid.vtk", attributed)
+    assert (summary["name"], summary["vertices"], summary["cells"]) == ("grid.vtk", 24, 6)
+    assert {row["id"] for row in summary["attributes"]} >= {"cell:load", "point:height", "point:flow"}
+
+    first = say("update")
+    assert (first["shown_cells"], first["shown_faces"], first["pending"]) == (6, 22, ["irregular"])
+    surface = first["surface"]
+    assert {name: array.dtype for name, array in surface.items() if name not in ("mode", "quads")} == {
+        "positions": np.float32, "normals": np.int16, "cells": np.uint32, "inside": np.uint8,
+        "faces": np.uint32, "edges": np.float32, "edge_cells": np.uint8,
+    }  # fmt: skip
+    assert (surface["mode"], surface["quads"], len(surface["faces"])) == ("lines", None, 22)
+    low, high = (
+        surface["positions"].reshape(-1, 3).min(axis=0),
+        surface["positions"].reshape(-1, 3).max(axis=0),
+    )
+    assert np.allclose((high - low) * 14**0.5, [3, 2, 1], atol=1e-6)
+    assert first["colour"] is None
+
+    half = {"filters": {"planes": {"items": [{"normal": [1, 0, 0], "offset": 0.5, "enabled": True}]}}}
+    lean = say("update", half, True)
+    assert (lean["shown_cells"], "silhouette" in lean, len(lean["surface"]["edges"])) == (4, False, 0)
+    again = say("update", {})
+    assert (again["shown_cells"], len(again["silhouette"]["positions"]) > 0) == (4, True)
+    assert set(say("update", {}).keys() & {"surface", "silhouette", "irregular", "colour"}) == set()
+
+    coloured = say("update", {"colour": {"by": "attribute", "attribute": "cell:load"}})["colour"]
+    assert (coloured["quantity"], coloured["low"], coloured["high"]) == ("cell:load", 0, 5)
+    assert coloured["map_position"].dtype == np.float32
+    assert np.allclose(coloured["map_position"], np.arange(6) / 5)
+    with pytest.raises(Refused, match="no metric and no attribute 'cell:none'"):
+        say("update", {"colour": {"attribute": "cell:none"}})
+    assert say("update", {"colour": {"by": "sides"}})["shown_cells"] == 4
+
+    numbers = say("quality", "cell:load")
+    assert (numbers["min"], numbers["max"], numbers["mean"], numbers["best_value"]) == (0, 5, 2.5, None)
+    assert say("quality", "edge_ratio")["full_range"] == [1, None]
+    bins = say("histogram", "cell:load", 3, True)
+    assert bins["counts"].tolist() == [1, 1, 2], "cells 1, 2, 4, 5 are shown"
+    assert (bins["counts"].dtype, bins["edges"].dtype) == (np.uint32, np.float64)
+
+    told = say("inspect", 1)
+    assert (told["kind"], told["corners"]) == ("hexahedron", [1, 2, 6, 5, 13, 14, 18, 17])
+    assert set(told["metrics"]) == set(METRICS)
+    assert say("cell_view", 1)["size"] == pytest.approx((3 / 14) ** 0.5)
+    assert say("neighbour", 8 * 1 + 3) == 2
+    assert say("describe", "faces") == {"faces": 29, "boundary_faces": 22, "nonmanifold_faces": 0}
+    assert say("validity")["valid"] == 6
+
+    with pytest.raises(Refused, match=r"bad\.mesh.*line") as refused:
+        say("open", "bad.mesh", b"MeshVersionFormatted 2\nDimension 3\nVertices\n3\n0 0")
+    assert refused.value.kind == "MeshReadError"
+    assert say("update", {})["shown_cells"] == 4, "the mesh that was open stays open"
+
+    assert say("open", "twisted.mesh.gz", gzip.compress(twisted))["cells"] == 2
+    fresh = say("update")
+    assert (fresh["shown_cells"], "surface" in fresh) == (2, True)
+    assert "invalid_corner_cells" in {finding["id"] for finding in say("describe")["findings"]}
+    cells = say("finding_cells", "invalid_corner_cells")
+    assert (cells.dtype, cells.tolist()) == (np.uint32, [1])
+    assert say("validity")["invalid_cells"].tolist() == [1]
+
+    assert said == set(METHODS), "every method is asked for once at least"
+
+
+@pytest.mark.parametrize("method", ["_opened", "__init__", "preview", "formats", "x; import os"])
+def test_A5_nothing_else_can_be_asked(ask: Ask, method: str) -> None:
+    with pytest.raises(Refused, match="nothing can be asked by the name"):
+        ask(method)
+
+
+def test_O5_arguments_that_are_none_are_told(ask: Ask) -> None:
+    with pytest.raises(Refused):
+        ask("inspect")
+    with pytest.raises(Refused):
+        ask("open", "a.mesh", {"$bytes": 7})
+    assert ask("check", {})["rejections"] == []
+
+
+def test_P2_many_picked_cells_pass_through(ask: Ask, grid: Callable[..., bytes]) -> None:
+    ask("open", "block.mesh", grid(30, 30, 30))
+    picked = {"filters": {"picking": {"hidden": list(range(0, 27_000, 2))}}}
+    assert ask("update", picked)["shown_cells"] == 13_500
+
+
+def test_O5_a_core_that_was_started_anew_answers(ask: Ask, attributed: bytes) -> None:
+    page = getattr(ask, "page", None)
+    if page is None:
+        pytest.skip("this way has no core of its own to lose")
+    page.evaluate("() => again()")
+    with pytest.raises(Refused, match="no mesh is open"):
+        ask("update")
+    assert ask("open", "grid.vtk", attributed)["cells"] == 6
