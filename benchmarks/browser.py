@@ -49,7 +49,7 @@ def run(folder: Path) -> None:
         with viewer(folder) as (page, address, errors):
             rows.append([name, *_open(page, f"{address}/bench/grid-{name}.mesh"), ORIGINAL_OPEN[name]])
             slices.append([name, *_slice(page)])
-            count = min(PICKED, page.evaluate("() => window.hexalab.summary().cells") // 2)
+            count = min(PICKED, page.evaluate("() => window.hexalab.summary().cells") // 4)
             page.evaluate(PICK, count)
             picked.append([name, f"{count:,}", *_slice(page)])
             page.evaluate(PICK, 0)

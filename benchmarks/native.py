@@ -68,7 +68,7 @@ def _steps(path: Path, mesh: hexalab.Mesh, session: Session) -> dict[str, Callab
 
     picked = Session()
     picked.open(path.name, path.read_bytes())
-    picked.update({"filters": {"picking": {"hidden": list(range(min(PICKED, mesh.cell_count // 2)))}}})
+    picked.update({"filters": {"picking": {"hidden": list(range(min(PICKED, mesh.cell_count // 4)))}}})
 
     def separation(mode: str) -> Callable[[], Any]:
         def change() -> None:
