@@ -57,8 +57,7 @@ class InterfaceFinder:
         self._last: Interface | None = None
 
     def find(self, shown: NDArray[np.bool_]) -> Interface:
-        """Faces with exactly one shown side; not to be changed, the same set of cells is given the same
-        arrays.
+        """Faces with exactly one shown side, not to be changed: for the same cells it is the same arrays.
 
         Parameters
         ----------
