@@ -19,8 +19,7 @@ def extract_silhouette(drawing: Drawing, shown: NDArray[np.bool_]) -> Silhouette
     shown : (C,) bool
     """
     faces = drawing.topology.faces
-    boundary = slice(faces.paired, faces.boundary_end)
-    hidden = np.flatnonzero(~shown[faces.cells[0, boundary]])
-    cells, local = faces.cells[0, boundary][hidden], faces.locals[0, boundary][hidden]
+    hidden = np.flatnonzero(~shown[faces.cells[0, faces.boundary]])
+    cells, local = faces.cells[0, faces.boundary][hidden], faces.locals[0, faces.boundary][hidden]
     points = drawing.points(drawing.topology.corners_of(cells, local))
     return Silhouette(*flat_quads(points, lambda which: drawing.barycentres(cells[which])))

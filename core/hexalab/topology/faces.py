@@ -91,6 +91,15 @@ class Faces:
     crowd_faces: NDArray[np.intp]
     nonmanifold_rows: Ids
 
+    @property
+    def boundary(self) -> slice:
+        """Rows of the faces that exactly one cell has.
+
+        The odd one of three cells at a non-manifold face has a row without second cell too, which is drawn but
+        is not the boundary. A cell that has the same face twice, and no other cell has it, has two rows here.
+        """
+        return slice(self.paired, self.boundary_end)
+
 
 def find_faces(corners: Ids, vertex_count: int) -> Faces:
     """Match the faces of (8, C) corners."""

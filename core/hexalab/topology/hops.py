@@ -22,7 +22,7 @@ def depth(faces: Faces) -> Ids:
     out = np.full(cell_count + 1, UNREACHED, np.int32)
     out[-1] = 0
     slot = np.empty(cell_count, np.int32)
-    found = faces.cells[0, faces.paired : faces.boundary_end]
+    found = faces.cells[0, faces.boundary]
     level = 0
     while len(found):
         out[found] = level
