@@ -1,7 +1,7 @@
 """Settings inside pictures: text chunks of PNG files (SPEC S3).
 
-Read are iTXt, zTXt and tEXt chunks with the keyword ``hexalab``, as the original HexaLab and others write
-them; written is an uncompressed iTXt chunk before IEND. Source: the PNG specification, third edition, 11.3.3.
+Read are iTXt, zTXt and tEXt chunks with the keyword ``hexalab``, as the original HexaLab, this one's viewer and
+others write them. Source: the PNG specification, third edition, 11.3.3.
 """
 
 from __future__ import annotations
@@ -57,26 +57,6 @@ def read_text(data: bytes, keyword: str = KEYWORD) -> str | None:
         if found.decode("latin-1") == keyword:
             return _decoded(name, rest)
     return None
-
-
-def write_text(data: bytes, text: str, keyword: str = KEYWORD) -> bytes:
-    """Return the PNG with the text in an iTXt chunk before IEND; texts of that keyword are replaced.
-
-    Raises
-    ------
-    PngError
-        If the bytes are no PNG.
-    """
-    body = keyword.encode("latin-1") + b"\0\0\0\0\0" + text.encode()
-    chunk = struct.pack(">I", len(body)) + b"iTXt" + body + struct.pack(">I", zlib.crc32(b"iTXt" + body))
-    parts = [SIGNATURE]
-    for name, start, end in _chunks(data):
-        if name == IEND:
-            parts.append(chunk)
-        old = data[start:end].partition(b"\0")[0] if name in TEXT_CHUNKS else b""
-        if old.decode("latin-1") != keyword:
-            parts.append(data[start - 8 : end + 4])
-    return b"".join(parts)
 
 
 def _chunks(data: bytes) -> Iterator[tuple[bytes, int, int]]:

@@ -4,27 +4,17 @@ from __future__ import annotations
 
 import json
 import os
-import struct
 import zlib
 from pathlib import Path
 
 import pytest
 
-from hexalab.png_text import PngError, read_settings, read_text, write_text
+from hexalab.png_text import PngError, read_settings, read_text
+from tests.core.pictures import chunk, png, write_text
 
-ROOT = Path(__file__).parents[3]
+ROOT = Path(__file__).parents[2]
 PICTURES = Path(os.environ.get("HEXALAB_PICTURES", ROOT / "../shared/reference/pictures"))
 TEXT = '{"version": 1, "name": "è ∎"}'
-
-
-def chunk(name: bytes, body: bytes) -> bytes:
-    return struct.pack(">I", len(body)) + name + body + struct.pack(">I", zlib.crc32(name + body))
-
-
-def png(*texts: bytes) -> bytes:
-    header = chunk(b"IHDR", struct.pack(">IIBBBBB", 1, 1, 8, 0, 0, 0, 0))
-    pixels = chunk(b"IDAT", zlib.compress(b"\0\0"))
-    return b"\x89PNG\r\n\x1a\n" + header + b"".join(texts) + pixels + chunk(b"IEND", b"")
 
 
 CARRIERS = [

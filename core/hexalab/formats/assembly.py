@@ -16,8 +16,7 @@ from .file import File
 from .ids import LARGEST_ID
 
 WEDGE_OF_OTHERS = (0, 2, 1, 3, 5, 4)
-"""VTK's wedge from the corners of Medit, Gmsh and Abaqus, whose triangle 0 1 2 is seen from the other
-side."""
+"""VTK's wedge from the corners of Medit, Gmsh and Abaqus, which see triangle 0 1 2 from the other side."""
 
 
 @dataclass

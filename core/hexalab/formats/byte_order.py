@@ -44,8 +44,7 @@ def native(values: Array) -> Array:
 
 
 def as_coordinates(rows: Array) -> Array:
-    """(3, n) float64 from C-contiguous (n, 3) rows of x, y, z in any number type, byte order and
-    alignment."""
+    """(3, n) float64 from C-contiguous (n, 3) rows of x, y, z in any number type, byte order, alignment."""
     out = np.empty((3, len(rows)))
     with np.errstate(invalid="ignore"):
         for part, stretch in stretches(rows):

@@ -12,8 +12,7 @@ LARGEST = 2 * 2**30
 """No more bytes than this come out of a compressed file."""
 
 RATIO = 200
-"""Nor more than so many times its own size, above `ALWAYS_FINE` bytes; text of meshes shrinks 3 to 30
-times."""
+"""Nor more than so many times its own size, above `ALWAYS_FINE`; text of meshes shrinks 3 to 30 times."""
 
 ALWAYS_FINE = 64 * 2**20
 STEP = 4 * 2**20

@@ -87,8 +87,7 @@ class Gmsh2:
         return self.parts(out, values, types, tag_counts, values[rows], rows + 1, begin)
 
     def binary_size(self, begin: int, end: int) -> int:
-        """Number of ints between two offsets; the end mark may stand right behind them or on the next
-        line."""
+        """Number of ints between two offsets; the end mark stands right behind them or on the next line."""
         size = end - begin
         if size % 4 and self.numbers.text.data[end - 1 : end] == b"\n":
             size -= 1
@@ -109,8 +108,7 @@ class Gmsh2:
         after: Array,
         begin: int,
     ) -> list[Elements]:
-        """Elements by type; `after` is where each element's tags begin in `values`, its nodes stand behind
-        them."""
+        """Elements by type; `after` is where each one's tags begin in `values`, with its nodes behind them."""
         parts = []
         for number in np.unique(types).tolist():
             which = np.flatnonzero(types == number)

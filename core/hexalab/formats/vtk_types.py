@@ -119,5 +119,4 @@ NUMBER_TYPES = {
     "vtktypefloat32": "f4",
     "vtktypefloat64": "f8",
 }
-"""Number types of the legacy format, in lower case. `vtkIdType` is written as 32 bits by VTK
-(vtkDataWriter)."""
+"""Number types of the legacy format, in lower case. VTK (vtkDataWriter) writes `vtkIdType` as 32 bits."""

@@ -107,8 +107,7 @@ class Arrays:
         return np.frombuffer(data, dtype)
 
     def content_end(self, element: Element) -> int:
-        """Where the element's own content ends: at its first child, if any (VTK puts InformationKey
-        there)."""
+        """Where the element's own content ends: at its first child, if any (VTK's InformationKey)."""
         end = self.file.data.find(b"<", element.begin, element.end)
         return element.end if end < 0 else end
 

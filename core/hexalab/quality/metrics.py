@@ -1,5 +1,4 @@
-"""The table of metrics as data: ranges, ideal value, normalisation, source, and where Verdict's answer "
-"surprises."""
+"""The table of metrics as data: ranges, ideal value, normalisation, formula, and where Verdict's answer surprises."""
 
 from __future__ import annotations
 
@@ -115,9 +114,8 @@ HEX_WEDGE_TET = (HEXAHEDRON, WEDGE, TETRAHEDRON)
 SHORT_EDGE = "Sentinel where an edge, squared, is below 2.2e-15 of the squared diagonal of the cell's box."
 FLAT_CORNER = "where a corner's determinant is not above 2.2e-15 of the cubed diagonal of the cell's box."
 SIZE = (
-    "Verdict's size of a hexahedron is the mean determinant of its corners. 0 where eight times that, or "
-    "the mean volume, "
-    "is not above 2.2e-15, in the file's unit: cells of edges below 1e-5 all get 0. Sentinel if the mean "
+    "Verdict's size of a hexahedron is the mean determinant of its corners. 0 where eight times that, or the mean "
+    "volume, is not above 2.2e-15, in the file's unit: cells of edges below 1e-5 all get 0. Sentinel if the mean "
     "volume is negative."
 )
 """Quirks that several metrics share; each kernel's docstring has its own thresholds."""
@@ -129,13 +127,11 @@ _ROWS = (
     Metric("distortion", "Distortion", "DIS", (-inf, inf), (0.5, 1), 1, "high", BETWEEN_EXTREMES, 0,
         HEX_WEDGE_TET, "smallest determinant of corners and 2 x 2 x 2 Gauss points, over the volume",
         "Both are signed, so that an inverted cell may get 1. Sentinel where the volume is 0. Wrong for "
-        "determinants above "
-        "8e30: Verdict starts at 1e30 when it looks for the smallest. Tetrahedra: 1."),
+        "determinants above 8e30: Verdict starts at 1e30 when it looks for the smallest. Tetrahedra: 1."),
     Metric("edge_ratio", "Edge Ratio", "ER", (1, inf), None, 1, "low", DOWN_TO_ONE, 0, HEX_WEDGE_TET,
         "longest over shortest edge",
-        "VTK 9.6 looks for a hexahedron's longest edge among 01, 12, 23, 30, 45 and 56 alone, so that "
-        "values are too small, "
-        "even below 1; so are ours. " + SHORT_EDGE),
+        "VTK 9.6 looks for a hexahedron's longest edge among 01, 12, 23, 30, 45 and 56 alone, so that values "
+        "are too small, even below 1; so are ours. " + SHORT_EDGE),
     Metric("jacobian", "Jacobian", "J", (-inf, inf), (0, inf), 1, "high", BETWEEN_EXTREMES, 3, ALL,
         "min of u.(v x w) at the eight corners and X.(Y x Z) / 64",
         "Clamped at 1e30: infinite there."),
@@ -145,8 +141,7 @@ _ROWS = (
     Metric("max_aspect_frobenius", "Maximum Aspect Frobenius", "MAAF", (1, inf), (1, 3), 1, "low", DOWN_TO_ONE,
         0, HEX_WEDGE, "max over corners of |A| |A^-1| / 3, A = (u, v, w)",
         "Sentinel " + FLAT_CORNER + " Wedges: aspects of the corners' tetrahedra over 1.16477, rounded, so "
-        "that the unit "
-        "wedge gets 1.0000034."),
+        "that the unit wedge gets 1.0000034."),
     Metric("mean_aspect_frobenius", "Mean Aspect Frobenius", "MEAF", (1, inf), (1, 3), 1, "low", DOWN_TO_ONE,
         0, HEX_WEDGE, "mean over corners of |A| |A^-1| / 3, A = (u, v, w)",
         "As for the maximum."),
@@ -188,13 +183,11 @@ _ROWS = (
     Metric("equiangle_skew", "Equiangle Skew", "EAS", (0, 3), None, 0, "low", DOWN_TO_ZERO, 0, ALL,
         "max over face angles of (angle - 90) / 90 and (90 - angle) / 90, in degrees",
         "The widest angle of a face that is not convex counts as 360 minus it, so that values pass 1; faces "
-        "with an edge "
-        "below 2.2e-15 count as -1. Tetrahedra: dihedral angles count too."),
+        "with an edge below 2.2e-15 count as -1. Tetrahedra: dihedral angles count too."),
     Metric("nodal_jacobian_ratio", "Nodal Jacobian Ratio", "NJR", (-inf, 1), None, 1, "high", BETWEEN_EXTREMES,
         0, HEX, "smallest over largest u.(v x w) of the eight corners",
-        "Sentinel where the largest is not above 2.2e-15, in the file's unit. Expanded from raw "
-        "coordinates, which loses "
-        "digits far from the origin; so do we. Wrong where all are above 1e30, as for distortion."),
+        "Sentinel where the largest is not above 2.2e-15, in the file's unit. Expanded from raw coordinates, "
+        "which loses digits far from the origin; so do we. Wrong where all are above 1e30, as for distortion."),
 )  # fmt: skip
 
 METRICS: dict[str, Metric] = {metric.id: metric for metric in _ROWS}

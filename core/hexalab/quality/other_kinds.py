@@ -165,6 +165,7 @@ def pyramid_shape(block: CellBlock, out: Floats) -> None:
 
     0 where base or height is not positive, where the base's area is below 1.1e-15 (with a unit: edges below 3e-8),
     or an edge of it, squared, is below 2.2e-15 of its squared box diagonal.
+
     r is the height over sqrt(1/2) times the longest edge, 1 for the ideal pyramid. Verdict takes the normal at the
     base's first corner, and of its first two edges only the shorter counts for the longest: so do we.
     """

@@ -6,6 +6,38 @@ corners are upper bounds of the minimum; where they disagree, the cell is cut in
 
 Three stages decide: floating point with a bound of its own rounding errors; floating point, subdivided; integers, for
 what is closer to zero than rounding can tell. No answer but "undecided" rests on an unproven sign.
+
+Five cubes, as they are decided: as it is; its top turned by a quarter; its top turned by a half; a corner pushed in
+to the centre; a corner pushed into the plane of its neighbours.
+
+>>> cube = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]])
+>>> cells = np.stack([cube] * 5).astype(float)
+>>> cells[1, 4:], cells[2, 4:] = cube[[5, 6, 7, 4]], cube[[6, 7, 4, 5]]
+>>> cells[3, 6], cells[4, 6] = [0.5, 0.5, 0.5], [1, 0.5, 0.5]
+>>> mesh = Mesh.from_cells(cells.reshape(-1, 3), np.arange(40).reshape(5, 8))
+>>> block = BezierBlock()
+>>> block.load(mesh.coordinates, mesh.corners)
+>>> corners = block.corners()
+>>> coefficients = block.coefficients(corners)
+
+The least corner bounds the minimum from above, the least coefficient from below:
+
+>>> corners.min(axis=(0, 1, 2)).tolist()
+[1.0, 1.0, 1.0, -0.5, 0.0]
+>>> coefficients.min(axis=(0, 1, 2)).tolist()
+[1.0, 0.0, -1.0, -0.5, 0.0]
+
+So the first cell is valid and the fourth invalid. The quarter turn is open, with corners of 1 and a coefficient of 0;
+cut into eight, each of its pieces is positive by its coefficients. The half turn's pieces have corners in the middle
+of the cell, where the determinant is 0; so has the last cell at its own corner. Rounding can't tell 0 from a little
+more, integers can.
+
+>>> octants(coefficients[..., 1:3], exact=False).min(axis=(0, 1, 2)).reshape(8, 2)[0].tolist()
+[0.5, 0.0]
+>>> certify(mesh).state.tolist()
+[1, 1, 0, 0, 0]
+>>> certify(mesh, depth=0).state.tolist()
+[1, 2, 2, 0, 0]
 """
 
 from __future__ import annotations
@@ -134,6 +166,10 @@ def _subdivide(
     """Cut cells until each piece is positive or one is not; returns the places of those still open.
 
     Where a piece's corner is closer to zero than rounding can tell, cutting on is hopeless: the cell stays open.
+
+    Of n pieces `values` holds the coefficients, (3, 3, 3, n), and `owner` the cells they are of, as places in `ids`.
+    Cutting puts all first octants first, then all second ones: pieces of the cells [0, 1, 2] become pieces of
+    [0, 1, 2, 0, 1, 2, ...]; of those only the ones still open are kept, say of [1, 1, 2].
     """
     owner: Array = np.arange(ids.size)
     lowest = np.full(ids.size, np.inf)

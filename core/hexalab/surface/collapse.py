@@ -29,8 +29,7 @@ def first_places(corners: Ids) -> Places | None:
 
 
 def by_pattern(corners: Ids) -> list[tuple[Pattern, NDArray[np.intp]]]:
-    """Split (8, n) cells by the pattern in which they collapse: pairs of a pattern and the indices of its
-    cells.
+    """Split (8, n) cells by the pattern in which they collapse; pairs of a pattern and its cells' indices.
 
     A pattern says for each of the eight places the first one that holds the same vertex.
     """

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import Ids
+from ..topology.slots import last_writers
 
 Indices = NDArray[np.intp]
 
@@ -46,8 +47,7 @@ def one_of_each(start: Ids, end: Ids) -> Indices:
     winner = np.empty(len(key), np.intp)
     sides: Indices = np.arange(len(key))
     while len(sides):
-        table[slot] = sides
-        first = table[slot]
+        first = last_writers(table, slot, sides)
         same = key[first] == key[sides]
         if same.all():
             winner[sides] = first

@@ -3,6 +3,31 @@
 The shown cells around an edge of the surface form fans: from one quad of the surface through cells and the
 faces between them to another. A walk begins at a quad's side, crosses its cell to the other face there, and
 steps through that face until it comes out. All walks take a step together; most come out after one or two.
+
+Two cubes side by side, seen from above, and a walk around the edge from vertex 1 up to vertex 7. It begins in cell 0
+at its front face 2, the ring 0 1 7 6, of which side 1 lies on that edge::
+
+      3----4----5            9---10---11
+      | c0 | c1 |            |    |    |
+      0----1----2 below      6----7----8 above
+
+>>> corners = np.array([[0, 1, 4, 3, 6, 7, 10, 9], [1, 2, 5, 4, 7, 8, 11, 10]], np.int32).T
+>>> topology = Topology(np.ascontiguousarray(corners), vertex_count=12)
+>>> def ids(*numbers):
+...     return np.array(numbers, np.int32)
+>>> walks = Walks(cells=ids(0), local=np.array([2]), place=np.array([1]), start=ids(1), end=ids(7))
+
+Across cell 0 lies its right face 3, in row 0, which leads to cell 1:
+
+>>> local, rows = _cross_cell(topology, walks)
+>>> local.tolist(), rows.tolist(), topology.face_cells[:, rows].T.tolist()
+([3], [0], [[0, 1]])
+
+There the walk stands at face 5 and crosses to cell 1's front face, which has nothing behind it: two cells. With cell
+1 hidden the fan ends at face 3: one cell.
+
+>>> [fan_sizes(topology, np.array([True, there]), walks, ids(-1)).tolist() for there in (True, False)]
+[[2], [1]]
 """
 
 from __future__ import annotations
@@ -22,7 +47,14 @@ MOST_STEPS = 256
 
 
 def _across() -> tuple[Indices, Indices]:
-    """For side `place` of face `local` of a cell: the other face there, and which of its sides it is."""
+    """For side `place` of face `local` of a cell: the other face there, and which of its sides it is.
+
+    Both are tables by `4 * local + place`. Face 2 is the ring 0 1 5 4, so its side 1 goes from corner 1 to corner 5.
+    Face 3, the ring 1 2 6 5, has the same edge the other way round, from 5 to 1, as its side 3.
+
+    >>> int(_OTHER_FACE[4 * 2 + 1]), int(_OTHER_PLACE[4 * 2 + 1])
+    (3, 3)
+    """
     sides = {(ring[i], ring[(i + 1) % 4]): (f, i) for f, ring in enumerate(FACES) for i in range(4)}
     face = np.empty((6, 4), np.intp)
     place = np.empty((6, 4), np.intp)
@@ -83,6 +115,7 @@ def fan_sizes(topology: Topology, shown: NDArray[np.bool_], walks: Walks, last: 
     for _ in range(MOST_STEPS):
         local, rows = _cross_cell(topology, walks)
         left, right = topology.face_cells[0][rows], topology.face_cells[1][rows]
+        # Of a face's two cells the other one; at the boundary `right` is -1, and what comes out is not used.
         after = left + right - walks.cells
         going = (right >= 0) & shown[after]
         sizes[number[np.flatnonzero(going)]] += 1

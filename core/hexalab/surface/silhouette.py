@@ -19,8 +19,7 @@ def extract_silhouette(drawn_mesh: DrawnMesh, shown: NDArray[np.bool_]) -> Silho
     shown : (C,) bool
     """
     faces = drawn_mesh.topology.faces
-    boundary = slice(faces.paired, faces.boundary_end)
-    hidden = np.flatnonzero(~shown[faces.cells[0, boundary]])
-    cells, local = faces.cells[0, boundary][hidden], faces.locals[0, boundary][hidden]
+    hidden = np.flatnonzero(~shown[faces.cells[0, faces.boundary]])
+    cells, local = faces.cells[0, faces.boundary][hidden], faces.locals[0, faces.boundary][hidden]
     points = drawn_mesh.points(drawn_mesh.topology.corners_of(cells, local))
     return Silhouette(*flat_quads(points, lambda which: drawn_mesh.barycentres(cells[which])))

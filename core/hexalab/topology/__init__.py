@@ -68,11 +68,6 @@ class Topology:
         """(6, C) int32: row of each face of each cell, -1 for a face that has vanished."""
         return self.faces.rows
 
-    @cached_property
-    def face_corners(self) -> Ids:
-        """(4, F) int32: corners as seen from outside of the first cell; a triangle repeats its last."""
-        return self.corners_of(self.face_cells[0], self.face_locals[0])
-
     def corners_of(self, cells: Array, local: Array) -> Ids:
         """Corners of some cells' faces, counter-clockwise as seen from outside the cell.
 
@@ -126,25 +121,6 @@ class Topology:
     def nonmanifold_face_rows(self) -> Ids:
         """(M,) int32: rows of the faces that more than two cells share."""
         return self.faces.nonmanifold_rows
-
-    @cached_property
-    def boundary_faces(self) -> Ids:
-        """(B,) int32: rows of the faces that exactly one cell has.
-
-        The odd one of three cells at a non-manifold face has a row without second cell too, which is drawn
-        but is not the boundary. A cell that has the same face twice, and no other cell has it, counts here
-        with two rows.
-        """
-        return np.arange(self.faces.paired, self.faces.boundary_end, dtype=np.int32)
-
-    @cached_property
-    def boundary_vertices(self) -> NDArray[np.bool_]:
-        """(V,) bool: whether the vertex lies on a face of the boundary."""
-        rows = slice(self.faces.paired, self.faces.boundary_end)
-        on = np.zeros(self.vertex_count, dtype=bool)
-        for ids in self.corners_of(self.face_cells[0, rows], self.face_locals[0, rows]):
-            on[ids] = True
-        return on
 
     def neighbours_of(self, cells: Array) -> Ids:
         """Cells across the six faces, (6, N) int32, of N cells; -1 outside and where a face has vanished."""
@@ -203,7 +179,7 @@ class Topology:
     def edge_on_boundary(self) -> NDArray[np.bool_]:
         """(E,) bool: whether the edge belongs to a face of the boundary."""
         on = np.zeros(self.edge_count + 1, dtype=bool)
-        rows = slice(self.faces.paired, self.faces.boundary_end)
+        rows = self.faces.boundary
         on[self.edges_of(self.face_cells[0, rows], self.face_locals[0, rows])] = True
         return on[:-1]
 

@@ -2,7 +2,8 @@
 
 An edge is known by its two vertices. Each of the twelve edges of each cell writes its larger id into a slot
 that its smaller id and the difference of both choose; equal edges write the same, so whoever finds its own
-larger id there has found the number of its edge: the slot. Those who find another go to the next layer of
+larger id there has found the number of its edge: the slot. (As in `slots`, but what is written is the key and
+not a number, so that nobody need look up the winner's key.) Those who find another go to the next layer of
 slots.
 """
 
@@ -15,6 +16,7 @@ from numpy.typing import NDArray
 
 from ..arrays import CHUNK, Array, Ids
 from ..cells import EDGES
+from .slots import last_writers
 
 FACE_EDGES = ((0, 1, 2, 3), (4, 5, 6, 7), (0, 4, 8, 9), (1, 5, 9, 10), (2, 6, 10, 11), (3, 7, 11, 8))
 """The edges of each of the six faces, as indices into `EDGES`."""
@@ -102,8 +104,7 @@ def _settle(corners: Ids, rows: Ids, table: Ids, rest: Array, start: int) -> lis
         slot = np.empty_like(low)
         _hash(low, high, _MULTIPLIERS[layer % len(_MULTIPLIERS)], slot)
         order = np.arange(len(rest), dtype=np.int32)
-        table[slot] = order
-        winner = table[slot]
+        winner = last_writers(table, slot, order)
         winners = np.flatnonzero(winner == order)
         number = np.empty(len(rest), np.int32)
         number[winners] = np.arange(start, start + len(winners), dtype=np.int32)

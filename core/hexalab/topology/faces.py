@@ -38,6 +38,45 @@ class Faces:
         The cells of each non-manifold face, and a number of the face.
     nonmanifold_rows : (M,) int32
         Rows that belong to non-manifold faces.
+
+    Examples
+    --------
+    Two cubes side by side, cell 0 on the left; 3 and 5 are the local numbers of a cell's right and left face::
+
+          3----4----5      9---10---11
+          | c0 | c1 |      |    |    |
+          0----1----2      6----7----8       below: 0 to 5, above: 6 to 11
+
+    >>> corners = np.array([[0, 1, 4, 3, 6, 7, 10, 9], [1, 2, 5, 4, 7, 8, 11, 10]], np.int32).T
+    >>> faces = find_faces(corners, vertex_count=12)
+    >>> faces.count, faces.paired, faces.boundary_end
+    (11, 1, 11)
+
+    Row 0 is the face between them: face 3 of cell 0 and face 5 of cell 1. Rows 1 to 10 are the boundary, by
+    local face first: row 1 is face 0 of cell 0, row 2 face 0 of cell 1.
+
+    >>> print(faces.cells)
+    [[ 0  0  1  0  1  0  1  1  0  1  0]
+     [ 1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1]]
+    >>> print(faces.locals)
+    [[3 0 0 1 1 2 2 3 4 4 5]
+     [5 0 0 0 0 0 0 0 0 0 0]]
+
+    From a cell to its faces: a line for each of the six faces, a column for each cell.
+
+    >>> print(faces.rows.T)
+    [[ 1  3  5  0  8 10]
+     [ 2  4  6  7  9  0]]
+
+    Three cells at one face, 0 1 2 3: a pair in row 0, and what is left over, cell 1, in the last row, past
+    `boundary_end`. `rows` leads each cell to the row in which it stands.
+
+    >>> corners = np.array([[0, 1, 2, 3, *range(4 * n, 4 * n + 4)] for n in (1, 2, 3)], np.int32).T
+    >>> faces = find_faces(corners, vertex_count=16)
+    >>> faces.cells[:, 0].tolist(), faces.cells[:, -1].tolist(), faces.rows[0].tolist()
+    ([0, 2], [1, -1], [0, 16, 0])
+    >>> faces.boundary_end, faces.count, faces.nonmanifold_count, faces.nonmanifold_rows.tolist()
+    (16, 16, 1, [0, 16])
     """
 
     cells: Ids
@@ -51,6 +90,15 @@ class Faces:
     crowd_cells: NDArray[np.intp]
     crowd_faces: NDArray[np.intp]
     nonmanifold_rows: Ids
+
+    @property
+    def boundary(self) -> slice:
+        """Rows of the faces that exactly one cell has.
+
+        The odd one of three cells at a non-manifold face has a row without second cell too, which is drawn but
+        is not the boundary. A cell that has the same face twice, and no other cell has it, has two rows here.
+        """
+        return slice(self.paired, self.boundary_end)
 
 
 def find_faces(corners: Ids, vertex_count: int) -> Faces:
@@ -66,7 +114,11 @@ def find_faces(corners: Ids, vertex_count: int) -> Faces:
 
 
 class _Joint(NamedTuple):
-    """Pairs of which the first side is one and the same of a cell's six faces."""
+    """Pairs of which the first side is one and the same of a cell's six faces.
+
+    Of two cubes side by side there is one pair, sides 6 and 11, and one joint that is not empty: `face` 3,
+    `left` [0], `right` [1], `right_face` [5].
+    """
 
     face: int
     left: Ids
@@ -93,7 +145,11 @@ def _joints(partner: Ids, cell_count: int) -> list[_Joint]:
 
 
 def _rows(pairing: Pairing, joints: list[_Joint], cell_count: int) -> Faces:
-    """Number the pairs, then the boundary, then what is left over."""
+    """Number the pairs, then the boundary, then what is left over.
+
+    A crowd is a face of more than two sides, which are not always more than two cells: a cell that is folded
+    onto itself has one face twice. So three numbers of one face differ: its rows, its cells, and itself, one.
+    """
     single = np.flatnonzero(pairing.partner == SINGLE)
     crowd_cells = pairing.crowd % max(cell_count, 1)
     groups = int(pairing.group[-1]) + 1 if len(pairing.group) else 0
@@ -124,6 +180,7 @@ def _rows(pairing: Pairing, joints: list[_Joint], cell_count: int) -> Faces:
     face_locals[0, paired:] = outer // max(cell_count, 1)
     rows[outer] = np.arange(paired, total, dtype=np.int32)
 
+    # From rows to faces: a crowd's rows count as one; and a boundary face that one cell has twice, as one.
     plain = total
     if groups:
         plain -= len(np.unique(rows[pairing.crowd]))

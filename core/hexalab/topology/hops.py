@@ -6,6 +6,7 @@ import numpy as np
 
 from ..arrays import Array, Ids
 from .faces import Faces
+from .slots import last_writers
 
 UNREACHED = -1
 """Depth of a cell from which no way over faces leads to the boundary."""
@@ -21,7 +22,7 @@ def depth(faces: Faces) -> Ids:
     out = np.full(cell_count + 1, UNREACHED, np.int32)
     out[-1] = 0
     slot = np.empty(cell_count, np.int32)
-    found = faces.cells[0, faces.paired : faces.boundary_end]
+    found = faces.cells[0, faces.boundary]
     level = 0
     while len(found):
         out[found] = level
@@ -39,8 +40,7 @@ def depth(faces: Faces) -> Ids:
 def _once(cells: Ids, slot: Ids) -> Ids:
     """Each cell once; `slot` is scratch space."""
     order = np.arange(len(cells), dtype=np.int32)
-    slot[cells] = order
-    once: Ids = cells[slot[cells] == order]
+    once: Ids = cells[last_writers(slot, cells, order) == order]
     return once
 
 

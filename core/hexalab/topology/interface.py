@@ -25,21 +25,15 @@ class Interface(NamedTuple):
     ----------
     rows : (N,) intp
         Rows of the faces: first those that hidden cells expose, then those of the mesh's own boundary.
-    side : (N,) uint8
-        Which row of `face_cells` is the shown cell: 0 or 1.
     cells : (N,) int32
         The shown cells.
     locals : (N,) uint8
         Which of the shown cell's six faces it is.
-    inside : int
-        The first so many faces are exposed by hidden cells.
     """
 
     rows: NDArray[np.intp]
-    side: NDArray[np.uint8]
     cells: Ids
     locals: NDArray[np.uint8]
-    inside: int
 
 
 class InterfaceFinder:
@@ -57,8 +51,7 @@ class InterfaceFinder:
         self._last: Interface | None = None
 
     def find(self, shown: NDArray[np.bool_]) -> Interface:
-        """Faces with exactly one shown side; not to be changed, the same set of cells is given the same
-        arrays.
+        """Faces with exactly one shown side, not to be changed: for the same cells it is the same arrays.
 
         Parameters
         ----------
@@ -80,14 +73,12 @@ class InterfaceFinder:
         outer = np.flatnonzero(shown[faces.cells[0, faces.paired :]]) + faces.paired
         second = ~shown[faces.cells[0][inside]]
         rows = np.concatenate([inside, outer])
-        side = np.zeros(len(rows), np.uint8)
-        side[: len(inside)] = second
         cells: Ids = faces.cells[0][rows]
         local: NDArray[np.uint8] = faces.locals[0][rows]
         turned = np.flatnonzero(second)
         cells[turned] = faces.cells[1][inside[turned]]
         local[turned] = faces.locals[1][inside[turned]]
-        return Interface(rows, side, cells, local, len(inside))
+        return Interface(rows, cells, local)
 
     def _follow(self, shown: NDArray[np.bool_]) -> bool:
         """Bring `_parted`, which interior faces part shown from hidden, up to date; tell whether anything changed."""

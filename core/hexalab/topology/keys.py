@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from ..arrays import Ids
 
-Int64s = NDArray[np.int64]
 Slots = NDArray[np.intp]
 
 SLOTS_PER_VERTEX = 4

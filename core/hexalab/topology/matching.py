@@ -2,9 +2,24 @@
 
 Sorting the keys of six million sides is what takes longest when a mesh of a million cells opens, above all in
 WebAssembly. A table is quicker: each side writes its number into the slot of its face, and the last writer
-wins. A side that did not win compares its key with the winner's; if they agree the two are one face. A round
-settles every winner, and what is left goes to the next; three or four rounds do for most meshes, and what is
-left then is sorted.
+wins (see `slots`). A side that did not win compares its key with the winner's; if they agree the two are one
+face. A round settles every winner, and what is left goes to the next; three or four rounds do for most meshes,
+and what is left then is sorted.
+
+Two cubes side by side have twelve sides, `local * 2 + cell`; side 6 (cell 0, face 3) meets side 11 (cell 1,
+face 5):
+
+>>> from .keys import face_keys
+>>> corners = np.array([[0, 1, 4, 3, 6, 7, 10, 9], [1, 2, 5, 4, 7, 8, 11, 10]], np.int32).T
+>>> keys = face_keys(corners, vertex_count=12)
+>>> keys.slot.tolist()
+[1, 5, 25, 29, 3, 7, 5, 9, 15, 19, 1, 5]
+>>> match(keys, cell_count=2, vertex_count=12).partner.tolist()
+[-1, -1, -1, -1, -1, -1, 11, -1, -1, -1, -1, 6]
+
+Slot 5 is wanted by sides 1, 6 and 11, and slot 1 by 0 and 10; sides 11 and 10 win. Side 6 finds its own key in
+11, so they are partners. Sides 1 and 0 find other keys and write again in the second round, where nobody is left
+to overwrite them.
 """
 
 from __future__ import annotations
@@ -16,6 +31,7 @@ import numpy as np
 
 from ..arrays import Array, Ids
 from .keys import SLOTS_PER_VERTEX, FaceKeys, Slots
+from .slots import last_writers_by_blocks
 
 SINGLE, VANISHED = -1, -2
 """In `Pairing.partner`: no other cell has this face; the face has fewer than three vertices."""
@@ -71,12 +87,9 @@ def match(keys: FaceKeys, cell_count: int, vertex_count: int) -> Pairing:
 
 def _round(keys: FaceKeys, table: Ids, partner: Ids, sides: Array | None) -> tuple[Array, int]:
     """Let sides (all if None) write into their slots and pair with the winners; return who is left, and the pairs."""
-    for here, slot in _blocks(keys, sides):
-        table[slot] = here
     left: list[Array] = []
     pairs = 0
-    for here, slot in _blocks(keys, sides):
-        winner = table[slot]
+    for here, winner in last_writers_by_blocks(table, lambda: _blocks(keys, sides)):
         lost = np.flatnonzero(winner != here)
         one, other = here[lost], winner[lost]
         same = keys.parts[0][one] == keys.parts[0][other]
@@ -124,12 +137,34 @@ def _sorted_matches(keys: FaceKeys, sides: Array) -> tuple[Array, Array]:
 
 
 def _part_crowds(partner: Ids, cell_count: int) -> Pairing:
-    """Pair the sides of faces that more than two sides have anew: as many as can be, never a cell with
-    itself.
+    """Pair the sides of faces that more than two sides have anew: as many as can be, never a cell with itself.
 
-    With a face's sides in order of their cells, each pairs with the one so many places on that no cell
-    reaches as far.
+    The rounds leave such a face as a star: all its sides point to one winner, which points back to but one of
+    them. With the face's sides in order of their cells, each of the first pairs with the one `step` places on,
+    which is so far that no cell reaches from one to the other.
+
+    Parameters
+    ----------
+    partner : (6 C,) int32
+        As the rounds leave it; crowds are changed in place.
+    cell_count : int
+
+    Examples
+    --------
+    Cells 0, 1 and 2 share their face 0 (sides 0, 1, 2), and the star's middle is 2. Half of three sides, rounded
+    up, is a step of two: 0 pairs with 2, and 1 is left over.
+
+    >>> _part_crowds(np.array([2, 2, 1] + [SINGLE] * 15, np.int32), cell_count=3).partner[:3].tolist()
+    [2, -1, 0]
+
+    Cell 0 has the same face at sides 0 and 3, cells 1 and 2 have it at sides 1 and 2. In order of cells the sides
+    are 0 3 1 2, and a step of two pairs 0 with 1 and 3 with 2, where a step of one would pair cell 0 with itself.
+
+    >>> pairing = _part_crowds(np.array([3, 3, 3, 2] + [SINGLE] * 14, np.int32), cell_count=3)
+    >>> pairing.crowd.tolist(), pairing.partner[:4].tolist()
+    ([0, 3, 1, 2], [1, 0, 3, 2])
     """
+    # The middles of stars: a partner of somebody that it does not point back to.
     paired = np.flatnonzero(partner >= 0)
     mate = partner[paired]
     leaders = np.unique(mate[partner[mate] != paired])
@@ -142,6 +177,7 @@ def _part_crowds(partner: Ids, cell_count: int) -> Pairing:
     order = np.lexsort((sides, cells, group))
     sides, group, cells = sides[order], group[order], cells[order]
     partner[sides] = SINGLE
+    # Sides of each face, where they begin, and how many of them the cell that has most has.
     size = np.bincount(group)
     first = np.cumsum(size) - size
     most = np.zeros(len(size), np.intp)
@@ -169,7 +205,11 @@ def unfold(pairing: Pairing, sides: Array) -> Pairing:
 
 
 def _occurrence(group: Array, cells: Array) -> Array:
-    """How many times the same cell came before in the same group, both sorted."""
+    """How many times the same cell came before in the same group, both sorted.
+
+    >>> _occurrence(np.array([0, 0, 0, 0, 1, 1]), np.array([4, 4, 4, 7, 7, 9])).tolist()
+    [0, 1, 2, 0, 0, 0]
+    """
     place = np.arange(len(group))
     new = np.ones(len(group), dtype=bool)
     new[1:] = (group[1:] != group[:-1]) | (cells[1:] != cells[:-1])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..arrays import Array, Ids
+from .slots import last_writers
 
 LAYERS = 16
 """In a grid eight layers hold all; after so many the rest is sorted: vertices of very many cells."""
@@ -35,9 +36,8 @@ class Stars:
             elif not len(vertex):
                 break
             layer = np.full(vertex_count, -1, np.int32)
-            layer[vertex] = cell
+            lost = np.flatnonzero(last_writers(layer, vertex, cell) != cell)
             self._layers.append(layer)
-            lost = np.flatnonzero(layer[vertex] != cell)
             vertex, cell = vertex[lost], cell[lost]
         order = np.argsort(vertex, kind="stable")
         self._rest_vertex, self._rest_cell = vertex[order], cell[order]

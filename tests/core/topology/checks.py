@@ -16,13 +16,18 @@ def topology(cells: NDArray[np.int32], vertex_count: int | None = None) -> Topol
     return Topology(np.ascontiguousarray(cells.T), count)
 
 
+def vertices_of_rows(t: Topology, rows: slice) -> set[int]:
+    """Vertices of the faces in some rows."""
+    return set(t.corners_of(t.face_cells[0, rows], t.face_locals[0, rows]).reshape(-1).tolist())
+
+
 def check_faces(cells: NDArray[np.int32], t: Topology) -> None:
     truth = BruteForce(cells.tolist())
     assert t.face_count == len(truth.face_cells)
     assert t.boundary_face_count == len(truth.boundary)
     assert t.nonmanifold_face_count == sum(len(around) > 2 for around in truth.face_cells.values())
     seen: dict[frozenset[int], list[tuple[int, int]]] = {}
-    corners = t.face_corners
+    corners = t.corners_of(t.face_cells[0], t.face_locals[0])
     for row in range(t.face_cells.shape[1]):
         face = frozenset(corners[:, row].tolist())
         for side in range(2):
@@ -40,9 +45,9 @@ def check_faces(cells: NDArray[np.int32], t: Topology) -> None:
         pairs = sum(t.face_cells[1, row] >= 0 for row in rows)
         most = max(sum(c == cell for c, _ in sides) for cell, _ in sides)
         assert pairs == min(len(sides) // 2, len(sides) - most), face
-    on_boundary = {frozenset(corners[:, row].tolist()) for row in t.boundary_faces}
+    on_boundary = {frozenset(ids) for ids in corners[:, t.faces.boundary].T.tolist()}
     assert on_boundary == truth.boundary
-    assert set(np.flatnonzero(t.boundary_vertices).tolist()) == truth.boundary_vertices
+    assert vertices_of_rows(t, t.faces.boundary) == truth.boundary_vertices
     many = {frozenset(corners[:, row].tolist()) for row in t.nonmanifold_face_rows}
     assert many == {face for face, around in truth.face_cells.items() if len(around) > 2}
 

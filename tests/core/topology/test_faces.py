@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from numpy.typing import NDArray
 
-from tests.core.topology.checks import check_faces, topology
+from tests.core.topology.checks import check_faces, topology, vertices_of_rows
 from tests.core.topology.grids import grid_cells
 from tests.core.topology.strategies import meshes
 
@@ -70,15 +70,17 @@ def test_R7_grid_counts_in_closed_form() -> None:
     nx, ny, nz = 7, 5, 3
     t = topology(grid_cells(nx, ny, nz))
     boundary = 2 * (nx * ny + ny * nz + nz * nx)
-    assert t.boundary_face_count == len(t.boundary_faces) == boundary
+    assert t.boundary_face_count == len(t.face_cells[0, t.faces.boundary]) == boundary
     assert t.face_count == (6 * nx * ny * nz + boundary) // 2
-    assert t.boundary_vertices.sum() == (nx + 1) * (ny + 1) * (nz + 1) - (nx - 1) * (ny - 1) * (nz - 1)
+    assert len(vertices_of_rows(t, t.faces.boundary)) == (nx + 1) * (ny + 1) * (nz + 1) - (nx - 1) * (
+        ny - 1
+    ) * (nz - 1)
 
 
 def test_R7_faces_of_no_cells() -> None:
     t = topology(np.empty((0, 8), np.int32), 3)
-    assert (t.face_count, t.boundary_face_count, len(t.boundary_faces)) == (0, 0, 0)
-    assert t.face_corners.shape == (4, 0)
+    assert (t.face_count, t.boundary_face_count, t.face_cells[0, t.faces.boundary].size) == (0, 0, 0)
+    assert t.corners_of(t.face_cells[0], t.face_locals[0]).shape == (4, 0)
 
 
 @given(meshes)
