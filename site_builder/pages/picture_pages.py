@@ -106,7 +106,7 @@ def key_groups() -> dict[str, list[KeyRow]]:
 
 
 def _caps(key: str) -> list[str]:
-    """ "Ctrl+Shift+z" as the caps to press."""
+    """The caps to press for a key of the table: "Ctrl+Shift+z" is Ctrl, Shift and Z."""
     parts = [key] if key == "+" else key.split("+")
     return [part.upper() if len(part) == 1 else NAMES_OF_KEYS.get(part, part) for part in parts]
 
