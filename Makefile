@@ -17,10 +17,10 @@ export OMP_NUM_THREADS ?= 2
 serve: pages
 	@$(BUILD) >build/pictures.log 2>&1 & $(BIN)/hexalab serve --out $(SITE) --port $(PORT)
 
-pages: .venv/.ready node_modules/.ready
+pages: .venv/.ready node_modules/.ready build/pyodide-build/.ready
 	$(BUILD) --no-pictures
 
-build: .venv/.ready node_modules/.ready
+build: .venv/.ready node_modules/.ready build/pyodide-build/.ready
 	$(BUILD)
 
 test: build/.prepared build
@@ -56,6 +56,13 @@ clean:
 
 node_modules/.ready: package.json package-lock.json
 	npm ci --no-audit --no-fund --loglevel=error
+	touch $@
+
+# Wheels for Pyodide's Python, which is another than this machine's: downloaded, never installed.
+build/pyodide-build/.ready: requirements-pyodide.txt | .venv/.ready
+	rm -rf $(@D)
+	$(BIN)/python -m pip download --quiet --disable-pip-version-check --no-deps --require-hashes \
+		--only-binary=:all: --python-version 3.13 --dest $(@D) --requirement $<
 	touch $@
 
 build/.prepared: .venv/.ready tests/prepare core/hexalab/hosts/browser.py

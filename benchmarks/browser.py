@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import statistics
 from pathlib import Path
-from typing import Any
 
 from playwright.sync_api import Page
 
@@ -84,7 +83,7 @@ def _open(page: Page, address: str) -> list[float | None]:
         address,
     )
     page.evaluate("() => window.hexalab.quality('scaled_jacobian')")
-    timings: dict[str, Any] = page.evaluate("() => window.hexalab.timings()")
+    timings: dict[str, float | None] = page.evaluate("() => window.hexalab.timings()")
     return [whole, *(timings.get(step) for step in STEPS)]
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 import os
 import statistics
 from pathlib import Path
-from typing import Any
+from typing import TypedDict
 
 from playwright.sync_api import Page
 
@@ -45,6 +45,22 @@ WATCH = """() => {
 the message comes after that frame and waits until the GPU is through with it."""
 
 
+class Drag(TypedDict):
+    """What the page has noted of a drag, in milliseconds.
+
+    Attributes
+    ----------
+    moved : float
+        Time stamp of the move that waits for its picture; 0 if none does.
+    times, core : list of float
+        For each move: until its picture, and of that what the core took.
+    """
+
+    moved: float
+    times: list[float]
+    core: list[float]
+
+
 def run(folder: Path, light: str = "object_space_ao") -> list[float]:
     """Drag the slice through the grid of 216,000 cells, print the times, return them in milliseconds."""
     path = grid_file("216k", ".mesh", folder)
@@ -75,7 +91,7 @@ def _drag(page: Page) -> tuple[list[float], list[float]]:
         page.mouse.move(box["x"] + (0.3 + 0.4 * move / MOVES) * box["width"], y)
         _wait(page, move)
     page.mouse.up()
-    found: dict[str, Any] = page.evaluate("() => window.drag")
+    found: Drag = page.evaluate("() => window.drag")
     return found["times"], found["core"]
 
 

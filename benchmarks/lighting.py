@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any
 
 from playwright.sync_api import Page
 
@@ -46,5 +45,5 @@ def run(folder: Path) -> None:
 
 
 def _light(page: Page, mode: str) -> float:
-    timings: dict[str, Any] = page.evaluate(LIGHT, mode)
-    return float(timings["lighting"])
+    timings: dict[str, float] = page.evaluate(LIGHT, mode)
+    return timings["lighting"]

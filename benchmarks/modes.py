@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, TypedDict
 
 import numpy as np
 
 import hexalab
+from hexalab.arrays import Floats
 from hexalab.filters.stack import FilterStack
 from hexalab.status import DEFAULTS, merge
 from hexalab.surface import MODES, DrawnMesh, extract_surface
@@ -33,6 +34,29 @@ WALK = """async (steps) => {
     return found;
 }"""
 """Runs in the page: applies each step and tells what is shown and drawn once its picture stands."""
+
+
+class ShownCounts(TypedDict):
+    """Cells that are shown, and the faces between them and what is not."""
+
+    cells: int
+    faces: int
+
+
+class DrawnCounts(TypedDict):
+    """What is in the buffers: faces, edges, and cells that own a face."""
+
+    faces: int
+    edges: int
+    cells: int
+
+
+class Walked(TypedDict):
+    """What the page tells after a step: what the status was refused for, what is shown and what is drawn."""
+
+    problems: list[dict[str, str]]
+    shown: ShownCounts
+    drawn: DrawnCounts
 
 
 @dataclass(frozen=True)
@@ -114,7 +138,7 @@ class Native:
         self.mesh = mesh
         self._drawing = DrawnMesh(mesh)
         self._stack = FilterStack(mesh, self._quality)
-        self._values: dict[str, Any] = {}
+        self._values: dict[str, Floats] = {}
         self._status = DEFAULTS
         self._made: tuple[Any, dict[str, int]] = (None, {})
 
@@ -141,13 +165,13 @@ class Native:
             "cells drawn": len(np.unique(surface.cells)),
         }
 
-    def _quality(self, source: str) -> Any:
+    def _quality(self, source: str) -> Floats:
         if source not in self._values:
             self._values[source] = hexalab.quality(self.mesh, source)
         return self._values[source]
 
 
-def found_in_page(answer: dict[str, Any]) -> dict[str, int]:
+def found_in_page(answer: Walked) -> dict[str, int]:
     """What the page tells after a step, under the names of `Native.after`."""
     shown, drawn = answer["shown"], answer["drawn"]
     return {
@@ -159,7 +183,7 @@ def found_in_page(answer: dict[str, Any]) -> dict[str, int]:
     }
 
 
-def differences(mesh: hexalab.Mesh, walk: list[Step], answers: list[dict[str, Any]]) -> list[str]:
+def differences(mesh: hexalab.Mesh, walk: list[Step], answers: list[Walked]) -> list[str]:
     """Where the page's answers to a walk are not the core's."""
     native = Native(mesh)
     wrong = []

@@ -11,13 +11,15 @@ from __future__ import annotations
 import json
 import math
 import sys
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, TypedDict
 
 from playwright.sync_api import Error, Page
 
 from hexalab.formats import FORMATS
 
+from .modes import DrawnCounts, ShownCounts
 from .page import viewer
 
 SENTINEL = 1e30
@@ -44,7 +46,29 @@ SAME = (
 )  # fmt: skip
 
 
-def differences(found: dict[str, Any], expected: dict[str, Any]) -> list[str]:
+class Opened(TypedDict):
+    """What the page tells of a mesh: milliseconds to open it, its facts, and what it draws whole and half cut.
+
+    Attributes
+    ----------
+    opened : float
+        Milliseconds.
+    quality, summary : dict
+        Of the Scaled Jacobian, and the mesh's facts.
+    whole : DrawnCounts
+        With no filter.
+    sliced : ShownCounts
+        Cut at one half along x.
+    """
+
+    opened: float
+    quality: dict[str, Any]
+    summary: dict[str, Any]
+    whole: DrawnCounts
+    sliced: ShownCounts
+
+
+def differences(found: Opened, expected: Mapping[str, Any]) -> list[str]:
     """Which facts of a mesh are not the expected ones."""
     summary, quality = found["summary"], found["quality"]
     wrong = [
@@ -66,7 +90,7 @@ def differences(found: dict[str, Any], expected: dict[str, Any]) -> list[str]:
     return wrong
 
 
-def run(folder: Path, facts: dict[str, Any]) -> int:
+def run(folder: Path, facts: Mapping[str, Mapping[str, Any]]) -> int:
     """Open every mesh of the folder; returns the number of meshes with a fault."""
     suffixes = tuple(suffix for row in FORMATS for suffix in row.extensions)
     files = sorted(path for path in folder.iterdir() if path.name.removesuffix(".gz").endswith(suffixes))
@@ -80,10 +104,10 @@ def run(folder: Path, facts: dict[str, Any]) -> int:
     return failures
 
 
-def _try(page: Page, address: str, expected: dict[str, Any], errors: list[str]) -> list[str]:
+def _try(page: Page, address: str, expected: Mapping[str, Any], errors: list[str]) -> list[str]:
     errors.clear()
     try:
-        found = page.evaluate(OPEN, address)
+        found: Opened = page.evaluate(OPEN, address)
     except Error as error:
         return [error.message.splitlines()[0]]
     wrong = differences(found, expected)

@@ -56,7 +56,9 @@ def python_imports(file: Path, package: Path) -> Iterator[Path]:
             for length in (len(name), len(name) - 1):
                 path = top.joinpath(*name[:length])
                 found = [path.with_suffix(".py"), path / "__init__.py"]
-                hit = next((one for one in found if length and one.is_file() and package in one.parents), None)
+                hit = next(
+                    (one for one in found if length and one.is_file() and package in one.parents), None
+                )
                 if hit:
                     yield hit
                     break

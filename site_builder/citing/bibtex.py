@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
+from ..model.catalogue import Author
 from ..model.names import normal_doi
 
 
@@ -22,7 +23,7 @@ class Entry:
     kind: str
     key: str
     fields: dict[str, str]
-    authors: list[dict[str, str]]
+    authors: list[Author]
 
 
 ACCENTS = {
@@ -200,7 +201,7 @@ def _split_outside_braces(text: str, separator: str) -> list[str]:
     return parts
 
 
-def _name(name: str) -> dict[str, str]:
+def _name(name: str) -> Author:
     """A CSL name from TeX's "von Last, Jr, First" or "First von Last"; a group is all in braces."""
     if name.startswith("{") and len(_braced(name, 1)) == len(name) - 2 and not name.startswith("{\\"):
         return {"literal": _untex(name)}

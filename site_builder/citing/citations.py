@@ -12,6 +12,8 @@ from citeproc import Citation, CitationItem, CitationStylesBibliography, Citatio
 from citeproc.source.json import CiteProcJSON
 from markupsafe import Markup, escape
 
+from ..model.catalogue import Reference
+
 STYLES = {"APA": "apa", "ACM": "association-for-computing-machinery"}
 """Styles by the name a reader knows them by."""
 
@@ -63,13 +65,12 @@ def _style(name: str) -> CitationStylesStyle:
         return CitationStylesStyle(str(file), validate=False)
 
 
-def citation(item: dict[str, Any], style: str) -> Markup:
+def citation(item: Reference, style: str) -> Markup:
     """One reference in a style, as HTML in which all of the item's text is escaped.
 
     Parameters
     ----------
-    item : dict
-        A CSL-JSON item.
+    item : Reference
     style : str
         A key of `STYLES`.
     """
@@ -93,7 +94,7 @@ def plain(html: Markup) -> str:
     return html.striptags()
 
 
-def _cleaned(item: dict[str, Any], style: str) -> dict[str, Any]:
+def _cleaned(item: Reference, style: str) -> dict[str, Any]:
     """The item as the processor likes it; the ACM's style knows no article numbers, so they stand as pages."""
     copy = {key: value for key, value in item.items() if key != "abstract"}
     if style == "ACM" and "number" in item and "page" not in item and item["type"] == "article-journal":

@@ -8,10 +8,9 @@ import unicodedata
 from collections.abc import Iterable
 from typing import Any
 
+from ..model.catalogue import Author, Reference
 from ..model.names import doi_address
 from .bibtex import ACCENTS, LETTERS
-
-Item = dict[str, Any]
 
 _BIBTEX_TYPES = {
     "article-journal": "article", "paper-conference": "inproceedings", "chapter": "incollection", "book": "book",
@@ -32,22 +31,22 @@ _MARKS = {mark: command for command, mark in ACCENTS.items()}
 _BIBTEX_PUBLISHER = {"phdthesis": "school", "techreport": "institution", "misc": "howpublished"}
 
 
-def csl_json(items: Iterable[Item]) -> str:
+def csl_json(items: Iterable[Reference]) -> str:
     """CSL-JSON of some references."""
     return json.dumps(list(items), ensure_ascii=False, indent=2) + "\n"
 
 
-def bibtex(items: Iterable[Item]) -> str:
+def bibtex(items: Iterable[Reference]) -> str:
     """BibTeX of some references, accents as TeX writes them: classic BibTeX cuts UTF-8 in the middle of a letter."""
     return "\n".join(_bibtex_entry(item) for item in items)
 
 
-def ris(items: Iterable[Item]) -> str:
+def ris(items: Iterable[Reference]) -> str:
     """RIS of some references."""
     return "\n".join(_ris_entry(item) for item in items)
 
 
-def _bibtex_entry(item: Item) -> str:
+def _bibtex_entry(item: Reference) -> str:
     kind = _BIBTEX_TYPES[item["type"]]
     year, *month = item["issued"]["date-parts"][0]
     arxiv = str(item.get("number", "")).removeprefix("arXiv:") if item.get("publisher") == "arXiv" else ""
@@ -74,7 +73,7 @@ def _bibtex_entry(item: Item) -> str:
     return f"@{kind}{{{item['id']},\n" + ",\n".join(lines) + "\n}\n"
 
 
-def _bibtex_name(author: dict[str, str]) -> str:
+def _bibtex_name(author: Author) -> str:
     if "literal" in author:
         return "{" + _tex(author["literal"]) + "}"
     parts = [author["family"], author.get("given", "")]
@@ -89,7 +88,7 @@ def _tex(text: Any) -> str:
 def _tex_letter(letter: str) -> str:
     if letter in _SPECIAL:
         return _SPECIAL[letter]
-    base, *marks = unicodedata.normalize("NFD", letter)
+    base, *marks = list(unicodedata.normalize("NFD", letter))
     if len(marks) != 1 or not base.isascii() or marks[0] not in _MARKS:
         return letter
     command = _MARKS[marks[0]]
@@ -101,7 +100,7 @@ def _bare(text: Any) -> str:
     return str(text).replace("{", "%7B").replace("}", "%7D").replace("\\", "%5C")
 
 
-def _ris_entry(item: Item) -> str:
+def _ris_entry(item: Reference) -> str:
     first, _, last = re.sub(r"[-–]+", "-", str(item.get("page", ""))).partition("-")
     year, *month = item["issued"]["date-parts"][0]
     rows: list[tuple[str, Any]] = [
@@ -129,5 +128,5 @@ def _ris_entry(item: Item) -> str:
     return "\r\n".join([*lines, "ER  - ", ""])
 
 
-def _ris_name(author: dict[str, str]) -> str:
+def _ris_name(author: Author) -> str:
     return ", ".join(part for part in (author["family"], author.get("given", "")) if part)

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from ..citing.bibtex import csl_reference, read_bibtex
+from ..model.catalogue import Author
 from ..model.names import ending, normal_doi, slug
 
 Ask = Callable[[str], str]
@@ -89,7 +90,7 @@ def _text(file: Path) -> str:
         return data.decode("latin-1")
 
 
-def _author(text: str) -> dict[str, str]:
+def _author(text: str) -> Author:
     family, _, given = (part.strip() for part in text.partition(","))
     return {"family": family, "given": given} if given else {"literal": family}
 

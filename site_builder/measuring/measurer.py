@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 import hexalab
+from hexalab.arrays import Floats
 from hexalab.diagnosis import turn_round
 from hexalab.formats import read_bytes
 from hexalab.quality import histogram, quality
@@ -17,7 +18,7 @@ from hexalab.quality.validity import certify
 from hexalab.session import Session
 from hexalab.summary import summarise
 
-from ..model.facts import Facts
+from ..model.facts import Binned, Facts, Validity
 
 BINS = 60
 """Bins of the Scaled Jacobian's histogram."""
@@ -96,12 +97,12 @@ def _valences(key: str, value: Any) -> Any:
     return {int(v): n for v, n in value.items()} if key.endswith("_edge_valence") else value
 
 
-def _validity(mesh: hexalab.Mesh) -> dict[str, int]:
-    counts = np.bincount(certify(mesh).state, minlength=3)
-    return {word: int(count) for word, count in zip(("invalid", "valid", "undecided"), counts, strict=True)}
+def _validity(mesh: hexalab.Mesh) -> Validity:
+    invalid, valid, undecided = (int(count) for count in np.bincount(certify(mesh).state, minlength=3))
+    return {"invalid": invalid, "valid": valid, "undecided": undecided}
 
 
-def _histogram(values: Any) -> dict[str, Any] | None:
+def _histogram(values: Floats) -> Binned | None:
     if not len(values):
         return None
     low = 0.0 if values.min() >= 0 else -1.0

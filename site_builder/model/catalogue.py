@@ -4,11 +4,48 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import NotRequired, TypedDict
 from urllib.parse import quote
 
 from .facts import Facts
 from .names import doi_address, ending
+
+
+class Author(TypedDict, total=False):
+    """A name in CSL-JSON: `family` and perhaps `given`, or `literal` for a group or a single name."""
+
+    family: str
+    given: str
+    literal: str
+    ORCID: str
+
+
+Issued = TypedDict("Issued", {"date-parts": list[list[int]]})
+"""A date in CSL-JSON: one list of year, perhaps month, perhaps day."""
+
+Reference = TypedDict(
+    "Reference",
+    {
+        "id": str,
+        "type": str,
+        "title": str,
+        "author": list[Author],
+        "issued": Issued,
+        "container-title": NotRequired[str],
+        "collection-title": NotRequired[str],
+        "event-title": NotRequired[str],
+        "publisher": NotRequired[str],
+        "volume": NotRequired[str],
+        "issue": NotRequired[str],
+        "page": NotRequired[str],
+        "number": NotRequired[str],
+        "version": NotRequired[str],
+        "abstract": NotRequired[str],
+        "DOI": NotRequired[str],
+        "URL": NotRequired[str],
+    },
+)
+"""What to cite, as an item of CSL-JSON; `id` is the source's slug."""
 
 
 @dataclass(frozen=True)
@@ -114,15 +151,15 @@ class Source:
 
     Parameters
     ----------
-    reference : dict
-        A CSL-JSON item.
+    reference : Reference
+        With `id`, `title`, `author` and `issued` at least.
     index_path : str
         Its folder in the original HexaLab's index, "" if it has none.
     """
 
     slug: str
     folder: Path
-    reference: dict[str, Any]
+    reference: Reference
     licence: str
     licence_note: str = ""
     description: str = ""
@@ -233,7 +270,7 @@ class Catalogue:
         return [problem for problem in self.problems if problem.severity == "error"]
 
 
-def display_name(author: dict[str, str]) -> str:
+def display_name(author: Author) -> str:
     """A CSL name as it is read: given name first."""
     return author.get("literal") or " ".join(
         part for part in (author.get("given"), author.get("family")) if part

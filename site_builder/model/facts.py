@@ -9,11 +9,56 @@ import dataclasses
 import json
 import math
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, TypedDict
 
 Counts = dict[int, int]
+
+
+class Statistics(TypedDict):
+    """A metric's values over a mesh; numbers are None where no cell has a finite value.
+
+    Attributes
+    ----------
+    min, max, mean, median, variance : float or None
+        In the metric's unit; the variance is the population's, in the unit's square.
+    not_finite, outside_acceptable : int
+        Cells without a finite value, and with one outside the acceptable range.
+    """
+
+    min: float | None
+    max: float | None
+    mean: float | None
+    median: float | None
+    variance: float | None
+    not_finite: int
+    outside_acceptable: int
+
+
+class Binned(TypedDict):
+    """How often values fall into bins of equal width from `low` to `high`; what lies outside isn't counted."""
+
+    low: float
+    high: float
+    counts: list[int]
+
+
+class Finding(TypedDict):
+    """What is wrong with a mesh: the diagnosis's name for it, a sentence, and how many it speaks of."""
+
+    id: str
+    count: int
+    message: str
+
+
+class Validity(TypedDict):
+    """Cells by what could be certified of their Jacobian."""
+
+    valid: int
+    invalid: int
+    undecided: int
 
 
 @dataclass
@@ -32,12 +77,12 @@ class Facts:
         Scaled Jacobian, as Verdict defines it.
     sj_not_positive : int
         Cells whose Scaled Jacobian is zero or negative.
-    validity : dict
-        Cells certified ``valid``, ``invalid`` and ``undecided``.
-    quality : dict of metric id to statistics
-    histogram : dict
-        ``low``, ``high`` and ``counts`` of the Scaled Jacobian.
-    findings : list of {id, severity, message, count}
+    quality : dict of str to Statistics
+        By metric id.
+    histogram : Binned
+        Of the Scaled Jacobian.
+    findings : list of Finding
+        The worst first.
     """
 
     bytes: int | None = None
@@ -62,14 +107,14 @@ class Facts:
     sj_max: float | None = None
     sj_not_positive: int | None = None
     sj_not_finite: int | None = None
-    validity: dict[str, int] | None = None
-    quality: dict[str, dict[str, Any]] | None = None
-    histogram: dict[str, Any] | None = None
-    findings: list[dict[str, Any]] | None = None
+    validity: Validity | None = None
+    quality: dict[str, Statistics] | None = None
+    histogram: Binned | None = None
+    findings: list[Finding] | None = None
     notes: list[str] | None = None
 
     @classmethod
-    def from_dict(cls, values: dict[str, Any]) -> Facts:
+    def from_dict(cls, values: Mapping[str, Any]) -> Facts:
         """Facts from a JSON object; keys that aren't known are an error."""
         facts = cls(**values)
         for name in ("interior_edge_valence", "boundary_edge_valence"):

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+
+from ..model.facts import Binned
 
 WIDTH, HEIGHT = 480, 140
 _BASE = 116
@@ -36,8 +37,19 @@ class Histogram:
     peak: int
 
 
-def draw(histogram: dict[str, Any]) -> Histogram:
-    """Place the bars of ``{low, high, counts}``."""
+def draw(histogram: Binned) -> Histogram:
+    """Place the bars of a histogram.
+
+    Parameters
+    ----------
+    histogram : Binned
+        From -1 or 0 to 1.
+
+    Returns
+    -------
+    Histogram
+        In the units of an SVG of `WIDTH` by `HEIGHT`.
+    """
     low, high, counts = histogram["low"], histogram["high"], histogram["counts"]
     step = WIDTH / len(counts)
     value_step = (high - low) / len(counts)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from typing import Any
+from typing import Any, NotRequired, TypedDict
 from xml.sax.saxutils import escape
 
 from ..model.catalogue import Catalogue, MeshEntry, Source
@@ -12,6 +12,44 @@ from .metadata import LICENCES
 
 INDEX_VERSION = 1
 """Of the form of index.json and search.json: raised when a field changes its meaning or goes."""
+
+
+class MeshRow(TypedDict):
+    """What the viewer knows of a mesh of the catalogue; addresses are below the site's root or absolute.
+
+    Attributes
+    ----------
+    cells, bytes, sha256 : int, int, str or None
+        None if nobody has measured or declared them.
+    remote : bool
+        Whether the file lies elsewhere on the web.
+    preview : str
+        Address of what is drawn before Python has started, where there is one.
+    """
+
+    slug: str
+    name: str
+    cells: int | None
+    url: str
+    remote: bool
+    bytes: int | None
+    sha256: str | None
+    preview: NotRequired[str]
+
+
+class SourceRow(TypedDict):
+    """What the viewer knows of a source; "" for what it hasn't got."""
+
+    slug: str
+    title: str
+    authors: list[str]
+    year: int
+    venue: str
+    doi: str
+    pdf: str
+    web: str
+    licence: str
+    meshes: list[MeshRow]
 
 
 def dump(data: Any) -> str:
@@ -24,7 +62,7 @@ def catalogue_json(catalogue: Catalogue, previews: set[str]) -> str:
     return dump({"sources": [_for_viewer(source, previews) for source in catalogue.sources]})
 
 
-def _for_viewer(source: Source, previews: set[str]) -> dict[str, Any]:
+def _for_viewer(source: Source, previews: set[str]) -> SourceRow:
     return {
         "slug": source.slug,
         "title": source.title,
@@ -39,8 +77,8 @@ def _for_viewer(source: Source, previews: set[str]) -> dict[str, Any]:
     }
 
 
-def _row_for_viewer(mesh: MeshEntry, previews: set[str]) -> dict[str, Any]:
-    row = {
+def _row_for_viewer(mesh: MeshEntry, previews: set[str]) -> MeshRow:
+    row: MeshRow = {
         "slug": mesh.slug,
         "name": mesh.name,
         "cells": mesh.cells,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..model.catalogue import Catalogue, MeshEntry, Source
+from ..model.catalogue import Author, Catalogue, MeshEntry, Source
 from .words import plural, structure_line, verdict
 
 LICENCES = {
@@ -171,7 +171,7 @@ def _creators(source: Source) -> list[JsonLd]:
     return [_creator(author) for author in source.reference["author"]]
 
 
-def _creator(author: dict[str, str]) -> JsonLd:
+def _creator(author: Author) -> JsonLd:
     if "literal" in author:
         return {"@type": "Organization", "name": author["literal"]}
     person = {"@type": "Person", "name": f"{author.get('given', '')} {author['family']}".strip()}
@@ -235,7 +235,7 @@ def _property(name: str, **values: Any) -> JsonLd:
     return {"@type": "PropertyValue", "name": name, **mean, **values}
 
 
-def _inverted(author: dict[str, str]) -> str:
+def _inverted(author: Author) -> str:
     return author.get("literal") or ", ".join(
         part for part in (author["family"], author.get("given", "")) if part
     )

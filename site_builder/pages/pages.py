@@ -15,6 +15,7 @@ from hexalab.quality import METRICS
 from ..citing.citations import STYLES, citation, plain
 from ..citing.exports import bibtex
 from ..model.catalogue import Catalogue, MeshEntry, Source
+from ..model.facts import Statistics
 from ..pictures.collection import Collection
 from . import metadata, words
 from .facets import FACETS, counts
@@ -226,7 +227,14 @@ def _fact_rows(mesh: MeshEntry) -> Iterator[tuple[str, str]]:
         yield "Extent", " × ".join(words.number(b - a) for a, b in zip(low, high, strict=True))
 
 
-def _quality_rows(mesh: MeshEntry) -> Iterator[dict[str, Any]]:
+class _QualityRow(Statistics):
+    """A row of the table of metrics: the metric's name and acceptable range in words, and its statistics."""
+
+    name: str
+    acceptable: str
+
+
+def _quality_rows(mesh: MeshEntry) -> Iterator[_QualityRow]:
     for metric_id, found in (mesh.facts.quality or {}).items():
         metric = METRICS[metric_id]
         yield {"name": metric.name, "acceptable": _range(metric.acceptable_range), **found}

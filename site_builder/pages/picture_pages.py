@@ -8,12 +8,14 @@ import re
 import subprocess
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, TypedDict
 
 from markupsafe import Markup, escape
 
 from hexalab.formats import FORMATS
+from hexalab.formats.registry import Format
 from hexalab.quality import METRICS
+from hexalab.quality.metrics import Metric
 
 from ..pictures.collection import Collection
 from .words import NOT_KNOWN
@@ -39,6 +41,34 @@ UNITS = {0: "", 1: "length", 3: "volume"}
 NAMES_OF_KEYS = {"PageUp": "Page up", "PageDown": "Page down", "Escape": "Esc"}
 
 
+class KeyRow(TypedDict):
+    """A key of the viewer: the caps to press together, and what it does."""
+
+    caps: list[str]
+    what: str
+
+
+class MetricRow(TypedDict):
+    """A metric as the guide's table shows it: all in words but the formula, which is HTML."""
+
+    name: str
+    symbol: str
+    full: str
+    acceptable: str
+    cube: str
+    better: str
+    unit: str
+    formula: Markup
+
+
+class FormatRow(TypedDict):
+    """A file format as the guide's table shows it."""
+
+    name: str
+    extensions: str
+    writes: str
+
+
 def gallery_values(collection: Collection) -> dict[str, Any]:
     """Values of the gallery's template."""
     return {
@@ -62,26 +92,26 @@ def guide_values(collection: Collection) -> dict[str, Any]:
 
 
 @cache
-def key_groups() -> dict[str, list[dict[str, Any]]]:
+def key_groups() -> dict[str, list[KeyRow]]:
     """The viewer's keys by group, out of the table that the viewer itself obeys; empty where Node is missing."""
     command = ["node", "--input-type=module", "--eval", KEYS_SCRIPT]
     try:
         done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT, check=True)
     except (OSError, subprocess.CalledProcessError):
         return {}
-    groups: dict[str, list[dict[str, Any]]] = {}
+    groups: dict[str, list[KeyRow]] = {}
     for row in json.loads(done.stdout):
         groups.setdefault(row["group"], []).append({"caps": _caps(row["keys"][0]), "what": row["what"]})
     return groups
 
 
 def _caps(key: str) -> list[str]:
-    """ "Ctrl+Shift+z" as the caps to press."""
+    """The caps to press for a key of the table: "Ctrl+Shift+z" is Ctrl, Shift and Z."""
     parts = [key] if key == "+" else key.split("+")
     return [part.upper() if len(part) == 1 else NAMES_OF_KEYS.get(part, part) for part in parts]
 
 
-def _metric_row(metric: Any) -> dict[str, Any]:
+def _metric_row(metric: Metric) -> MetricRow:
     cube = NOT_KNOWN if metric.unit_cube is None else f"{metric.unit_cube:.4g}"
     return {
         "name": metric.name,
@@ -112,5 +142,5 @@ def formula(text: str) -> Markup:
     )
 
 
-def _format_row(one: Any) -> dict[str, str]:
+def _format_row(one: Format) -> FormatRow:
     return {"name": one.name, "extensions": ", ".join(one.extensions), "writes": "yes" if one.writer else ""}

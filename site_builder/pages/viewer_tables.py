@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, TypedDict
 
 from hexalab import __version__
 from hexalab.formats import FORMATS
@@ -11,12 +11,46 @@ from hexalab.quality import METRICS
 from hexalab.session import DESCRIBED
 from hexalab.status import CORE_PATHS, DEFAULTS
 
+Ends = list[float | None]
+"""A range: low and high, None where it is open."""
 
-def viewer_tables() -> dict[str, Any]:
-    """Return version, status defaults, metrics, formats and what else the core alone knows, as JSON values.
 
-    An open end of a range is None.
+class MetricEntry(TypedDict):
+    """What the viewer's panels know of a metric; `better` says which of two values is: "high" or "low"."""
+
+    id: str
+    name: str
+    symbol: str
+    better: str
+    full_range: Ends
+    acceptable_range: Ends | None
+
+
+class FormatEntry(TypedDict):
+    """What the viewer knows of a file format; extensions start with a dot."""
+
+    id: str
+    name: str
+    extensions: list[str]
+
+
+class ViewerTables(TypedDict):
+    """What the page carries of the core's tables, in the core's order.
+
+    `defaults` are the settings', `core_paths` those of them that concern the core, `described` the parts of a
+    description.
     """
+
+    version: str
+    defaults: dict[str, Any]
+    core_paths: tuple[str, ...]
+    described: tuple[str, ...]
+    metrics: list[MetricEntry]
+    formats: list[FormatEntry]
+
+
+def viewer_tables() -> ViewerTables:
+    """The core's tables as JSON values."""
     return {
         "version": __version__,
         "defaults": DEFAULTS,
@@ -29,7 +63,7 @@ def viewer_tables() -> dict[str, Any]:
                 "symbol": metric.symbol,
                 "better": metric.better,
                 "full_range": _ends(metric.full_range),
-                "acceptable_range": metric.acceptable_range and _ends(metric.acceptable_range),
+                "acceptable_range": _ends(metric.acceptable_range) if metric.acceptable_range else None,
             }
             for metric in METRICS.values()
         ],
@@ -37,5 +71,5 @@ def viewer_tables() -> dict[str, Any]:
     }
 
 
-def _ends(ends: tuple[float, float]) -> list[float | None]:
+def _ends(ends: tuple[float, float]) -> Ends:
     return [end if math.isfinite(end) else None for end in ends]

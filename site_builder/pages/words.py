@@ -63,7 +63,7 @@ def file_size(size: int | None) -> str:
 
 
 def plural(number_of: int, noun: str) -> str:
-    """ "1 cell", "2 cells"."""
+    """A count with its noun: "1 cell", "2 cells"; thousands apart."""
     return f"{number_of:,} {noun}" if number_of == 1 else f"{number_of:,} {noun}s"
 
 

@@ -32,12 +32,12 @@ class Studio(Renderer):
         status = merge({name: part for name, part in DEFAULTS.items() if name != "mesh"}, shot.status)
         if shot.part:
             answer = self.show(name, None, status)
-            problems, png = answer["problems"], self._photograph(shot)
+            rejections, png = answer["rejections"], self._photograph(shot)
         else:
             rendering = self.render(name, None, status, width=shot.width, height=shot.height)
-            problems, png = rendering.problems, rendering.png
-        if problems:
-            raise RenderError(f"the status of a picture of {name} is wrong: {problems}")
+            rejections, png = rendering.rejections, rendering.png
+        if rejections:
+            raise RenderError(f"the status of a picture of {name} is wrong: {rejections}")
         return png
 
     def _photograph(self, shot: Shot) -> bytes:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -33,24 +34,60 @@ def _pattern(_: Any, pattern: str, instance: Any, __: Any) -> Iterator[Validatio
         yield ValidationError(f"{instance!r} does not match {pattern!r}")
 
 
-_Validator = extend(Draft202012Validator, {"pattern": _pattern})
+_Validator = extend(Draft202012Validator, {"pattern": _pattern})  # type: ignore[no-untyped-call]
+
+
+@dataclass(frozen=True)
+class _Objection:
+    """What a schema has against one field.
+
+    Parameters
+    ----------
+    path : tuple of str and int
+        The field.
+    keyword : str
+        The schema's keyword that does not hold: "type", "required", ...
+    wanted : object
+        What the keyword asks for.
+    found : object
+        The field's value.
+    schema : mapping
+        The part of the schema that is about this field.
+    message : str
+        The validator's own words.
+    """
+
+    path: FieldPath
+    keyword: str
+    wanted: Any
+    found: Any
+    schema: Mapping[str, Any]
+    message: str
+
+    @classmethod
+    def of(cls, error: ValidationError) -> _Objection:
+        """Take over what the validator found."""
+        inside: Mapping[str, Any] = error.schema if isinstance(error.schema, Mapping) else {}
+        path = tuple(error.absolute_path)
+        return cls(path, str(error.validator), error.validator_value, error.instance, inside, error.message)
+
+    @property
+    def unknown(self) -> list[str]:
+        """Fields of a mapping that its schema doesn't name."""
+        return [name for name in self.found if name not in self.schema.get("properties", {})]
 
 
 def schema_problems(document: Document, kind: str) -> Iterator[tuple[FieldPath, str]]:
     """What a document's schema has against it, in the order of the file: field and message."""
-    errors = [_deepest(error) for error in _Validator(schema(kind)).iter_errors(document.data)]
-    rows = [(_place(error), _explain(error)) for error in errors]
+    errors = _Validator(schema(kind)).iter_errors(document.data)
+    objections = [_Objection.of(_deepest(error)) for error in errors]
+    rows = [(_place(one), _explain(one)) for one in objections]
     yield from sorted(rows, key=lambda row: document.line(row[0]))
 
 
-def _place(error: ValidationError) -> FieldPath:
+def _place(one: _Objection) -> FieldPath:
     """The field that is wrong; where a mapping has unknown ones, the first of these."""
-    path = tuple(error.absolute_path)
-    return (*path, _unknown(error)[0]) if error.validator == "additionalProperties" else path
-
-
-def _unknown(error: ValidationError) -> list[str]:
-    return [name for name in error.instance if name not in error.schema.get("properties", {})]
+    return (*one.path, one.unknown[0]) if one.keyword == "additionalProperties" else one.path
 
 
 def _deepest(error: ValidationError) -> ValidationError:
@@ -62,46 +99,44 @@ def _deepest(error: ValidationError) -> ValidationError:
     return error
 
 
-def _explain(error: ValidationError) -> str:
-    found = json.dumps(error.instance, ensure_ascii=False, default=str)
+def _explain(one: _Objection) -> str:
+    found = json.dumps(one.found, ensure_ascii=False, default=str)
     found = found if len(found) <= 80 else found[:77] + "..."
-    wanted = error.validator_value
-    match error.validator:
+    wanted = one.wanted
+    match one.keyword:
         case "type":
             words = {"string": "text", "object": "a mapping", "array": "a list", "integer": "a whole number"}
-            hint = "; put it in quotes" if wanted == "string" and isinstance(error.instance, int) else ""
+            hint = "; put it in quotes" if wanted == "string" and isinstance(one.found, int) else ""
             return f"found {found}, expected {words.get(str(wanted), str(wanted))}{hint}"
         case "required":
-            missing = [name for name in wanted if name not in error.instance]
+            missing = [name for name in wanted if name not in one.found]
             return f"missing: {', '.join(missing)}"
         case "additionalProperties":
-            known = error.schema.get("properties", {})
-            return f"unknown: {', '.join(map(str, _unknown(error)))}; known are {', '.join(known)}"
+            known = one.schema.get("properties", {})
+            return f"unknown: {', '.join(map(str, one.unknown))}; known are {', '.join(known)}"
         case "pattern":
             return f"found {found}, expected {_PATTERNS.get(wanted, 'the form ' + str(wanted))}"
         case "enum":
             return f"found {found}, expected one of {', '.join(map(str, wanted))}"
         case "oneOf" if "required" in str(wanted):
             keys = [option["required"][0] for option in wanted if "required" in option]
-            return f"found {found}, expected exactly one of {', '.join(keys)}" if keys else error.message
-        case "anyOf" if "description" in error.schema:
-            return f"found {found}, expected {error.schema['description']}"
+            return f"found {found}, expected exactly one of {', '.join(keys)}" if keys else one.message
+        case "anyOf" if "description" in one.schema:
+            return f"found {found}, expected {one.schema['description']}"
         case "minLength" | "minItems":
-            return f"found {found}, expected at least {wanted} {_unit(error)}"
+            return f"found {found}, expected at least {wanted} {_unit(one)}"
         case "maxLength" | "maxItems":
-            return f"found {len(error.instance)} {_unit(error)}, expected at most {wanted}"
+            return f"found {len(one.found)} {_unit(one)}, expected at most {wanted}"
         case "minimum" | "maximum":
-            return (
-                f"found {found}, expected at {'least' if error.validator == 'minimum' else 'most'} {wanted}"
-            )
-    return f"found {found}: {error.message}"
+            return f"found {found}, expected at {'least' if one.keyword == 'minimum' else 'most'} {wanted}"
+    return f"found {found}: {one.message}"
 
 
-def _unit(error: ValidationError) -> str:
-    one = error.validator_value == 1
-    if str(error.validator).endswith("Length"):
-        return "character" if one else "characters"
-    return "entry" if one else "entries"
+def _unit(one: _Objection) -> str:
+    single = one.wanted == 1
+    if one.keyword.endswith("Length"):
+        return "character" if single else "characters"
+    return "entry" if single else "entries"
 
 
 _PATTERNS = {

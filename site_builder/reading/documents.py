@@ -144,7 +144,7 @@ def parse_yaml(text: str, file: Path) -> Document:
             loader.dispose()
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
-        line = mark.line + 1 if mark else 1
+        line = _line(mark)
         found = text.splitlines()[line - 1 : line]
         hint = " (a tab; YAML is indented with spaces)" if found and re.match(r" *\t", found[0]) else ""
         raise DocumentError(f"not YAML: {error.problem or error.context}{hint}", file, line) from None
@@ -157,17 +157,22 @@ def parse_yaml(text: str, file: Path) -> Document:
     return document
 
 
+def _line(mark: Any) -> int:
+    """The 1-based line of PyYAML's mark; the first where it has none."""
+    return int(mark.line) + 1 if mark else 1
+
+
 def _refuse_aliases(text: str, file: Path, base: Any) -> None:
     """Aliases can blow a small file up to gigabytes; nothing here needs them. Bounds the nesting too."""
     depth = 0
     for event in yaml.parse(text, Loader=base):
         if isinstance(event, yaml.AliasEvent):
-            raise DocumentError("aliases (*name) are not allowed here", file, event.start_mark.line + 1)
+            raise DocumentError("aliases (*name) are not allowed here", file, _line(event.start_mark))
         if isinstance(event, yaml.CollectionStartEvent):
             depth += 1
             if depth > DEEPEST_NESTING:
                 message = f"nested more than {DEEPEST_NESTING} levels deep"
-                raise DocumentError(message, file, event.start_mark.line + 1)
+                raise DocumentError(message, file, _line(event.start_mark))
         elif isinstance(event, yaml.CollectionEndEvent):
             depth -= 1
 

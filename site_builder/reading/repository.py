@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 from urllib.parse import quote, unquote, urljoin
 
-from ..model.catalogue import Catalogue, MeshEntry, Problem, Source
+from ..model.catalogue import Catalogue, MeshEntry, Problem, Reference, Source
 from ..model.facts import Facts, read_published
 from ..model.names import ending, mesh_name, slug
 from .checking import matches, schema, schema_problems
@@ -96,7 +96,7 @@ def read_source(folder: Path, problems: list[Problem], root: Path | None = None)
         for path, message in _mesh_problems(mesh, index):
             problems.append(_problem("error", document, path, message, root))
             mesh.local = None
-        mesh.facts = published.pop(mesh.key, None) or Facts()
+        mesh.facts = published.pop(mesh.key, Facts())
         if mesh.facts.sha256 and mesh.declared_sha256 not in (None, mesh.facts.sha256):
             message = f"{mesh.declared_sha256} here, but {mesh.facts.sha256} in {FACTS_FILE}"
             problems.append(_problem("error", document, ("meshes", index, "sha256"), message, root))
@@ -122,7 +122,7 @@ def _checked(file: Path, kind: str, problems: list[Problem], root: Path) -> Docu
     return None if found else document
 
 
-def _csl_item(source_slug: str, reference: dict[str, Any]) -> dict[str, Any]:
+def _csl_item(source_slug: str, reference: Mapping[str, Any]) -> Reference:
     """The reference as CSL-JSON: dates in parts, numbers as text, arXiv's id in CSL's own fields."""
     item: dict[str, Any] = {"id": source_slug, **reference}
     item["issued"] = {"date-parts": [[int(part) for part in str(reference["issued"]).split("-")]]}
@@ -134,10 +134,10 @@ def _csl_item(source_slug: str, reference: dict[str, Any]) -> dict[str, Any]:
         item.setdefault("publisher", "arXiv")
         item.setdefault("number", f"arXiv:{arxiv}")
         item.setdefault("URL", f"https://arxiv.org/abs/{arxiv}")
-    return item
+    return cast("Reference", item)
 
 
-def _mesh(source: Source, row: dict[str, Any], base: str) -> MeshEntry:
+def _mesh(source: Source, row: Mapping[str, Any], base: str) -> MeshEntry:
     kind = next(kind for kind in ("file", "url", "made") if kind in row)
     key = row[kind]
     path = unquote(key.split("?")[0]) if kind == "url" else key

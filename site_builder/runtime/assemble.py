@@ -52,12 +52,13 @@ def assemble(out: Path, cache: Path | None = None) -> RuntimeReport:
     version = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["version"]
     wheel = core_wheel(ROOT / "core" / "hexalab", version)
     modules = ROOT / "node_modules"
-    sources = [*Path(__file__).parent.glob("*.*"), modules / "pyodide" / "package.json"]
+    pins = ROOT / "requirements-pyodide.txt"
+    sources = [*Path(__file__).parent.glob("*.*"), modules / "pyodide" / "package.json", pins]
     key = _hash([wheel[1], *_contents(sources)])
     interpreter = cache / f"runtime-{key}"
     if not (interpreter / "pyodide-lock.json").is_file():
         _forget(cache, "runtime-*")
-        copy_interpreter(modules, interpreter, wheel)
+        copy_interpreter(modules, ROOT / "build" / "pyodide-build", interpreter, wheel)
     runtime = f"runtime-{key}"
     _forget(out, "runtime-*", keep=runtime)
     _copy_tree(interpreter, out / runtime)

@@ -1,62 +1,45 @@
-// Compiles the Python modules of zip archives to byte code, under the very Python that will run them:
-// Pyodide in Node. Byte code starts faster than source, and a module needs to be shipped only once.
+// Runs pyodide-build's byte-compiler inside Pyodide, under Node.
 //
-//     node compile_python.mjs PYODIDE_FOLDER PLAN.json
+//     node compile_python.mjs PYODIDE_FOLDER WHEELS_FOLDER FOLDER
 //
-// PLAN.json is a list of {"source": path, "target": path, "leave_out": [regular expressions], "optimize": 1 or 2 (2: no
-// docstrings)}; each source archive is
-// rewritten to its target with every .py replaced by a .pyc beside which no source is needed. The output depends on the
-// input alone: no time stamps, names in order.
+// The archives in FOLDER/1 are compiled as by `python -O`, those in FOLDER/2 as by `python -OO`; the compiled ones take
+// their place. Prints a JSON object: the name of each archive to its name now.
 
-import { readFileSync, writeFileSync } from "node:fs";
+import { readdirSync } from "node:fs";
 import { pathToFileURL } from "node:url";
 import { resolve } from "node:path";
 
-const [folder, plan] = process.argv.slice(2);
-const { loadPyodide } = await import(pathToFileURL(resolve(folder, "pyodide.mjs")));
-const pyodide = await loadPyodide({ indexURL: resolve(folder) });
+const [interpreter, wheels, folder] = process.argv.slice(2);
+const { loadPyodide } = await import(pathToFileURL(resolve(interpreter, "pyodide.mjs")));
 
-pyodide.runPython(`
-import hashlib, base64, io, re, zipfile
-from importlib._bootstrap_external import _code_to_timestamp_pyc
-
-def byte_code(name, source, optimize):
-    return bytes(_code_to_timestamp_pyc(compile(source, name, "exec", dont_inherit=True, optimize=optimize), 0, 0))
-
-def record_line(name, data):
-    digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
-    return f"{name},sha256={digest},{len(data)}\\n"
-
-def rewrite(data, leave_out, optimize):
-    unwanted = [re.compile(pattern) for pattern in leave_out]
-    files, record = {}, None
-    with zipfile.ZipFile(io.BytesIO(bytes(data))) as archive:
-        for name in sorted(archive.namelist()):
-            if name.endswith("/") or any(pattern.search(name) for pattern in unwanted):
-                continue
-            content = archive.read(name)
-            if name.endswith(".dist-info/RECORD"):
-                record = name
-            elif name.endswith(".py"):
-                files[name + "c"] = byte_code(name, content, optimize)
-            else:
-                files[name] = content
-    if record:
-        files[record] = ("".join(record_line(*item) for item in files.items()) + f"{record},,\\n").encode()
-    out = io.BytesIO()
-    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
-        for name, content in files.items():
-            archive.writestr(zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0)), content, zipfile.ZIP_DEFLATED, 9)
-    return out.getvalue()
+/**
+ * @param {string} level 1 or 2, as in `python -O` or `-OO`
+ * @returns {Promise<Record<string, string>>} name of each archive to its name now
+ */
+async function compile(level) {
+  const pyodide = await loadPyodide({
+    indexURL: resolve(interpreter),
+    args: ["-" + "O".repeat(Number(level))], // the compiler takes the interpreter's own level
+    env: { SOURCE_DATE_EPOCH: "0" }, // byte code then carries its source's hash, not the time of the build
+    stdout: console.error,
+  });
+  pyodide.mountNodeFS("/wheels", resolve(wheels));
+  pyodide.mountNodeFS("/archives", resolve(folder, level));
+  const names = pyodide.runPython(`
+import sys
+from pathlib import Path
+sys.path += map(str, Path("/wheels").glob("*.whl"))
+from pyodide_build._py_compile import _py_compile_archive_dir
+_py_compile_archive_dir(Path("/archives"), keep=False, verbose=False, compression_level=0)
 `);
-const rewrite = pyodide.globals.get("rewrite");
-for (const { source, target, leave_out = [], optimize = 2 } of JSON.parse(readFileSync(plan, "utf8"))) {
-  const result = rewrite(
-    pyodide.toPy(new Uint8Array(readFileSync(source))),
-    pyodide.toPy(leave_out),
-    optimize,
-  );
-  const buffer = result.getBuffer();
-  writeFileSync(target, buffer.data);
-  buffer.release();
+  return names.toJs({ dict_converter: Object.fromEntries });
+}
+
+try {
+  const names = {};
+  for (const level of readdirSync(folder)) Object.assign(names, await compile(level));
+  console.log(JSON.stringify(names));
+} catch (error) {
+  console.error(error instanceof Error ? error.message : error); // not Pyodide's sources, which Node would print
+  process.exitCode = 1;
 }

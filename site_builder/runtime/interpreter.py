@@ -10,13 +10,13 @@ from __future__ import annotations
 import hashlib
 import json
 import shutil
-import subprocess
-import tempfile
 import urllib.request
 from pathlib import Path
 
 from pyodide_lock import PyodideLockSpec
 from pyodide_lock.spec import InfoSpec, PackageSpec
+
+from .byte_code import Archive, byte_code
 
 PYODIDE_VERSION = "0.29.0"
 DISTRIBUTION = f"https://cdn.jsdelivr.net/pyodide/v{PYODIDE_VERSION}/full/"
@@ -32,7 +32,8 @@ NUMPY_LEFT_OUT = (
 STDLIB_LEFT_OUT = (
     r"^(idlelib|lib2to3|ensurepip|turtledemo|tkinter|curses|sqlite3|dbm|wsgiref|xmlrpc|venv|pydoc_data|unittest)/",
     r"^(test|distutils|multiprocessing|_pyrepl|ctypes/macholib|xml/sax|xml/dom)/",
-    r"^(asyncio/windows|concurrent/futures/process)",
+    r"^(asyncio/windows|asyncio/proactor|concurrent/futures/process|http/server|logging/config|logging/handlers)",
+    r"^(_pyio|_pydatetime)\.py$",  # stand-ins for modules that this interpreter has in C
     r"^(turtle|doctest|pdb|imaplib|smtplib|ftplib|poplib|nntplib|telnetlib|mailbox|pickletools|optparse)\.py$",
     r"^(cProfile|profile|pstats|trace|tracemalloc|webbrowser|antigravity|this|imghdr|sndhdr|sunau|aifc)\.py$",
     r"^(chunk|wave|tabnanny|pyclbr|pydoc|cgi|cgitb|mailcap|nturl2path|plistlib|netrc|statistics|socketserver)\.py$",
@@ -40,13 +41,26 @@ STDLIB_LEFT_OUT = (
 )
 
 
-def copy_interpreter(node_modules: Path, out: Path, core_wheel: tuple[str, bytes]) -> None:
+def copy_interpreter(node_modules: Path, tools: Path, out: Path, core_wheel: tuple[str, bytes]) -> None:
     """Write interpreter, compiled standard library, numpy, the core and their lock file to `out`.
+
+    Parameters
+    ----------
+    node_modules : Path
+        Where npm has put Pyodide and the package that carries numpy's wheel.
+    tools : Path
+        Folder with pyodide-build's wheel and those that it imports.
+    out : Path
+        Folder for the files, made if need be.
+    core_wheel : (str, bytes)
+        Name and content of the core's wheel, as sources.
 
     Raises
     ------
     RuntimeError
-        If a file is missing or its hash isn't the published one.
+        If a file is missing or its hash isn't the published one, or compiling fails.
+    OSError
+        If numpy's wheel has no carrier here and can't be downloaded.
     """
     pyodide = node_modules / "pyodide"
     version = json.loads((pyodide / "package.json").read_text())["version"]
@@ -57,32 +71,19 @@ def copy_interpreter(node_modules: Path, out: Path, core_wheel: tuple[str, bytes
     out.mkdir(parents=True, exist_ok=True)
     for name in PLAIN_FILES:
         shutil.copyfile(pyodide / name, out / name)
-    with tempfile.TemporaryDirectory() as folder:
-        work = Path(folder)
-        (work / "numpy.whl").write_bytes(official_wheel(node_modules, numpy))
-        (work / "core.whl").write_bytes(core_wheel[1])
-        plan = [
-            {
-                "source": str(pyodide / "python_stdlib.zip"),
-                "target": str(out / "python_stdlib.zip"),
-                "leave_out": STDLIB_LEFT_OUT,
-            },
-            {
-                "source": str(work / "numpy.whl"),
-                "target": str(out / numpy["file_name"]),
-                "leave_out": NUMPY_LEFT_OUT,
-                "optimize": 1,  # numpy reads its own docstrings while it is imported
-            },
-            {"source": str(work / "core.whl"), "target": str(out / core_wheel[0])},
-        ]
-        (work / "plan.json").write_text(json.dumps(plan))
-        script = Path(__file__).with_name("compile_python.mjs")
-        done = subprocess.run(
-            ["node", str(script), str(pyodide), str(work / "plan.json")], capture_output=True, text=True
-        )
-        if done.returncode:
-            raise RuntimeError(f"compiling Python under Pyodide failed:\n{done.stderr.strip()[-1500:]}")
-    _write_lock(out, lock["info"], numpy, core_wheel[0])
+    wheel = official_wheel(node_modules, numpy)
+    archives = [
+        Archive("python_stdlib.zip", (pyodide / "python_stdlib.zip").read_bytes(), STDLIB_LEFT_OUT),
+        Archive(
+            numpy["file_name"], wheel, NUMPY_LEFT_OUT, optimize=1
+        ),  # it reads its docstrings while imported
+        Archive(*core_wheel),
+    ]
+    compiled = byte_code(archives, pyodide, tools)
+    for name, data in compiled:
+        (out / name).write_bytes(data)
+    _, numpy_name, core_name = (name for name, _ in compiled)
+    _write_lock(out, lock["info"], {"numpy": numpy_name, "hexalab": core_name})
 
 
 def official_wheel(node_modules: Path, package: dict[str, str]) -> bytes:
@@ -100,21 +101,20 @@ def official_wheel(node_modules: Path, package: dict[str, str]) -> bytes:
     return data
 
 
-def _write_lock(out: Path, info: dict[str, str], numpy: dict[str, str], core_name: str) -> None:
-    """The site's own lock file: numpy and the core, with the hashes of the files that are served."""
+def _write_lock(out: Path, info: dict[str, str], files: dict[str, str]) -> None:
+    """The site's own lock file: each package's wheel, with the hash of the file that is served."""
 
-    def entry(name: str, version: str, file_name: str, depends: list[str]) -> PackageSpec:
+    def entry(name: str, depends: list[str]) -> PackageSpec:
+        file_name = files[name]
         digest = hashlib.sha256((out / file_name).read_bytes()).hexdigest()
         return PackageSpec(
-            name=name, version=version, file_name=file_name, install_dir="site", sha256=digest,
+            name=name, version=file_name.split("-")[1], file_name=file_name, install_dir="site", sha256=digest,
             package_type="package", imports=[name], depends=depends,
         )  # fmt: skip
 
     spec = PyodideLockSpec(
-        info=InfoSpec(**info),
-        packages={
-            "numpy": entry("numpy", numpy["version"], numpy["file_name"], []),
-            "hexalab": entry("hexalab", core_name.split("-")[1], core_name, ["numpy"]),
-        },
+        info=InfoSpec.model_validate(info),
+        packages={"numpy": entry("numpy", []), "hexalab": entry("hexalab", ["numpy"])},
     )
+    spec.check_wheel_filenames()
     spec.to_json(out / "pyodide-lock.json")

@@ -106,7 +106,10 @@ def run(argv: Sequence[str]) -> int:
         return 0
     if arguments.verb is None:
         parser.error(f"which verb? One of {', '.join(VERBS)}")
-    return int(arguments.run(arguments))
+    try:
+        return int(arguments.run(arguments))
+    except ModuleNotFoundError as error:
+        raise missing(arguments.verb, error) from None
 
 
 def module_of(verb: str) -> ModuleType:
@@ -117,13 +120,16 @@ def module_of(verb: str) -> ModuleType:
     HexaLabError
         If a package that it needs is not installed; says which, and what to do.
     """
-    row = VERBS[verb]
     try:
-        return import_module(row.module)
+        return import_module(VERBS[verb].module)
     except ModuleNotFoundError as error:
-        if not row.remedy:
-            raise
-        raise HexaLabError(f"{verb}: the package {error.name} is not installed; {row.remedy}") from None
+        raise missing(verb, error) from None
+
+
+def missing(verb: str, error: ModuleNotFoundError) -> Exception:
+    """Say which package a verb lacks, and what to do; the error itself where a remedy is not known."""
+    remedy = VERBS[verb].remedy
+    return HexaLabError(f"{verb}: the package {error.name} is not installed; {remedy}") if remedy else error
 
 
 def complain(error: Exception, prefix: str = "hexalab") -> int:

@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 from .. import HexaLabError, read
-from ..hosts.rendering import Renderer
 from ..png_text import SIGNATURE, read_settings
 
 LARGEST_SIDE = 8192
@@ -54,6 +53,8 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> int:
     """Draw; what of the settings could not be applied goes to stderr."""
+    from ..hosts.rendering import Renderer
+
     status = read_status(arguments.status) if arguments.status else None
     read(arguments.file)  # what can't be read is told before a browser is started
     size = {name: getattr(arguments, name) for name in ("width", "height", "transparent")}

@@ -212,7 +212,7 @@ def _signs_of(mesh: Mesh, part: slice, reach: float) -> NDArray[np.int8]:
 
 
 def turn_round(mesh: Mesh) -> Mesh:
-    """Turn every cell of a mesh whose cells are all inverted, and note it; return any other as it is.
+    """Turn every cell of a mesh whose cells are all inverted, and note it; another mesh comes back as it is.
 
     Tools differ in which side of a hexahedron they number first; a mesh from one that differs is inverted as
     a whole.

@@ -51,8 +51,7 @@ def barycentre_places(barycentres: Floats, normal: Vector) -> Places:
 def any_corner_places(
     coordinates: Floats, corners: Ids, referenced: NDArray[np.bool_], normal: Vector
 ) -> Places:
-    """The original application's rule: one corner behind is enough, and the slider runs over the vertices'
-    extent.
+    """The original application's rule: one corner behind is enough, and the slider runs over all vertices.
 
     Vertices that no cell uses (not `referenced`) do not stretch the slider.
     """

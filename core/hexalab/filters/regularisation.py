@@ -20,8 +20,9 @@ STRONGEST = 5
 
 
 class Regulariser:
-    """Regularises hidden sets of one mesh, and remembers the interface of the last: sets that follow are
-    alike.
+    """Regularises hidden sets of one mesh.
+
+    The interface of the last set is remembered: sets that follow each other are alike.
 
     Parameters
     ----------

@@ -78,6 +78,13 @@ class Reader:
         self.parts = [self.part]
 
     def read(self) -> Mesh:
+        """Read every keyword's lines, then join the parts; `*INCLUDE` and what isn't followed is noted.
+
+        Raises
+        ------
+        MeshReadError
+            No keyword, no `*NODE`, or rows that don't fit; the line is named.
+        """
         found = [match for match in KEYWORD.finditer(self.keywords) if self.begins_line(match.start())]
         if not found:
             raise self.text.error("the file has no keyword such as *NODE", 0)
@@ -179,4 +186,5 @@ class Reader:
         self.out.blocks.append(CellBlock(kind, corners + np.int32(first), self.locate))
 
     def locate(self, message: str, _cell: int, _corner: int) -> MeshReadError:
+        """An error without a line; nodes that are missing have been found in `add`, with theirs."""
         return self.text.error(message)

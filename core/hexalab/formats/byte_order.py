@@ -44,7 +44,17 @@ def native(values: Array) -> Array:
 
 
 def as_coordinates(rows: Array) -> Array:
-    """(3, n) float64 from C-contiguous (n, 3) rows of x, y, z in any number type, byte order, alignment."""
+    """Coordinates as the mesh holds them, from rows as files do.
+
+    Parameters
+    ----------
+    rows : (n, 3) array
+        x, y, z, C-contiguous, in any number type, byte order and alignment.
+
+    Returns
+    -------
+    (3, n) float64
+    """
     out = np.empty((3, len(rows)))
     with np.errstate(invalid="ignore"):
         for part, stretch in stretches(rows):

@@ -42,6 +42,13 @@ class Reader:
         self.data: list[tuple[str, str, Array, Array]] = []
 
     def read(self) -> Mesh:
+        """Read section after section; cells come in the order of the file, whatever their types.
+
+        Raises
+        ------
+        MeshReadError
+            Something stands where a section should begin, or there are no nodes.
+        """
         text = self.numbers.text
         while word := text.word():
             if not word.startswith(b"$"):
@@ -131,6 +138,7 @@ class Reader:
             arrays[free_name(arrays, name)] = out
 
     def locate(self, message: str, _cell: int, _corner: int) -> MeshReadError:
+        """An error without a line; nodes that are missing have been found in `check`, with theirs."""
         return self.numbers.error(message)
 
     def check(self, part: Elements, corners: Array) -> None:

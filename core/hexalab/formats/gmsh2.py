@@ -48,6 +48,13 @@ class Gmsh2:
         self.numbers = numbers
 
     def nodes(self) -> Nodes:
+        """Read what follows `$Nodes`: in ASCII a line per node, in binary rows of int32 and three doubles.
+
+        Raises
+        ------
+        MeshReadError
+            The section is cut short, or a node's number isn't whole.
+        """
         numbers = self.numbers
         count = numbers.count(numbers.text.integer("the number of nodes"), 7, "nodes")
         if not numbers.binary:
@@ -62,6 +69,15 @@ class Gmsh2:
         return Nodes(native(rows["tag"]).astype(np.int64), as_coordinates(rows["x"]))
 
     def elements(self, out: Assembly) -> list[Elements]:
+        """Read what follows `$Elements`; what isn't volumetric is counted in `out`.
+
+        In ASCII each element says its own type and number of tags, in binary a group of elements does.
+
+        Raises
+        ------
+        MeshReadError
+            The rows don't fit the count announced or one another.
+        """
         numbers = self.numbers
         text = numbers.text
         count = numbers.count(numbers.text.integer("the number of elements"), 4, "elements")
@@ -87,7 +103,13 @@ class Gmsh2:
         return self.parts(out, values, types, tag_counts, values[rows], rows + 1, begin)
 
     def binary_size(self, begin: int, end: int) -> int:
-        """Number of ints between two offsets; the end mark stands right behind them or on the next line."""
+        """Number of ints between two offsets; the end mark stands right behind them or on the next line.
+
+        Raises
+        ------
+        MeshReadError
+            The bytes make no whole number of ints.
+        """
         size = end - begin
         if size % 4 and self.numbers.text.data[end - 1 : end] == b"\n":
             size -= 1
@@ -96,6 +118,7 @@ class Gmsh2:
         return size // 4
 
     def error_at(self, message: str, _index: int) -> MeshReadError:
+        """An error about the section, whichever of its numbers is wrong."""
         return self.numbers.error(message)
 
     def parts(
@@ -108,7 +131,26 @@ class Gmsh2:
         after: Array,
         begin: int,
     ) -> list[Elements]:
-        """Elements by type; `after` is where each one's tags begin in `values`, with its nodes behind them."""
+        """Elements by type.
+
+        Parameters
+        ----------
+        out : Assembly
+            Where elements that aren't volumetric are counted.
+        values : (n,) int
+            The section's numbers.
+        types, tag_counts, tags : (m,) int
+            Of each element: gmsh's type, how many tags it has, its number.
+        after : (m,) int
+            Where each element's tags begin in `values`; its nodes stand behind them.
+        begin : int
+            Byte at which the section begins, for errors.
+
+        Returns
+        -------
+        list of Elements
+            One for each type that is kept.
+        """
         parts = []
         for number in np.unique(types).tolist():
             which = np.flatnonzero(types == number)

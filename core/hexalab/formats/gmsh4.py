@@ -33,6 +33,13 @@ class Gmsh4:
         return [*first, self.numbers.count(count, 1, what)]
 
     def nodes(self) -> Nodes:
+        """Read what follows `$Nodes`: blocks of numbers, then of coordinates; parametric ones are dropped.
+
+        Raises
+        ------
+        MeshReadError
+            The blocks hold another number of nodes than announced.
+        """
         numbers = self.numbers
         blocks, total = self.header("nodes")
         tags: list[NDArray[Any]] = [np.empty(0, dtype=np.int64)]
@@ -48,6 +55,13 @@ class Gmsh4:
         return nodes
 
     def elements(self, out: Assembly) -> list[Elements]:
+        """Read what follows `$Elements`, a block per entity and type; what isn't volumetric is counted in `out`.
+
+        Raises
+        ------
+        MeshReadError
+            A type has no fixed number of nodes, or the blocks hold another number of elements than announced.
+        """
         numbers = self.numbers
         begin = numbers.text.position
         blocks, total = self.header("elements")

@@ -98,7 +98,13 @@ class Numbers:
         return memoryview(text.data)[text.position - size : text.position]
 
     def count(self, number: int, least: int, what: str) -> int:
-        """A number of entries from a header, checked against the file: each takes `least` bytes or digits."""
+        """A number of entries from a header, each of at least so many bytes or digits.
+
+        Raises
+        ------
+        MeshReadError
+            The rest of the file has no room for so many: nothing is allocated for a number that lies.
+        """
         left = len(self.text.data) - self.text.position + 1
         if number < 0 or number * least > left:
             raise self.error(f"{number} {what} are announced, but the file has only {left - 1} more bytes")

@@ -41,6 +41,15 @@ class Reader:
         self.cell_references: list[Array] = []
 
     def read(self) -> Mesh:
+        """Read section after section up to the keyword End, whose absence is noted.
+
+        References become an attribute where one of them isn't 0.
+
+        Raises
+        ------
+        MeshReadError
+            A section is cut short or the dimension isn't 3; the line is named.
+        """
         text, ended = self.text, False
         while word := text.word():
             ended = word.lower() == b"end"
@@ -89,6 +98,11 @@ class Reader:
         self.text.position = match.start() if match else len(self.text.data)
 
     def vertices(self) -> None:
+        """Read `Vertices`: x, y, z and a reference, which some tools leave out.
+
+        Which of both it is shows in the first row; where the section has just as many numbers as the other form
+        takes, it is read so.
+        """
         if self.out.coordinates is not None:
             raise self.text.error("a second section Vertices: expected one")
         count = self.text.count("vertices", 3)
@@ -121,6 +135,7 @@ class Reader:
         return self.text.error(message, self.text.number_offset(begin, (first + vertex) * width))
 
     def cells(self, keyword: str) -> None:
+        """Read a section of cells: corners, counted from 1, and a reference, which some tools leave out."""
         kind, own, row = CELLS[keyword]
         count = self.text.count(keyword, row)
         start = self.text.position

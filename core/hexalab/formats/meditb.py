@@ -66,6 +66,13 @@ class Reader:
         self.place = "i8" if self.version >= 3 else "i4"
 
     def read(self) -> Mesh:
+        """Follow the chain of sections: each says at which byte the next begins, the last 0.
+
+        Raises
+        ------
+        MeshReadError
+            A section points backwards or out of the file, or is shorter than it says.
+        """
         ended = False
         for _ in range(MOST_SECTIONS):
             if self.position + 4 > len(self.file.data):
@@ -94,6 +101,7 @@ class Reader:
         return self.out.mesh()
 
     def error(self, message: str, offset: int | None = None) -> MeshReadError:
+        """An error at a byte of the file; at the present position by default."""
         return self.file.error(message, offset=self.position if offset is None else offset)
 
     def take(self, dtype: np.dtype[Any], count: int, what: str) -> NDArray[Any]:
@@ -106,6 +114,7 @@ class Reader:
         return values
 
     def integer(self, code: str, what: str) -> int:
+        """The next integer, "i4" or "i8" in the file's byte order; `what` is its name in errors."""
         return int(self.take(np.dtype(self.order + code), 1, what)[0])
 
     def section(self, section: int) -> None:
@@ -122,6 +131,7 @@ class Reader:
             self.out.leave_out(SURFACE[section], max(0, self.integer(self.whole, "the number of faces")))
 
     def vertices(self) -> None:
+        """Read rows of three reals, float32 in version 1 and float64 from 2 on, and a reference."""
         if self.out.coordinates is not None:
             raise self.error("a second section Vertices: expected one")
         count = self.integer(self.whole, "the number of vertices")
@@ -137,6 +147,7 @@ class Reader:
             self.out.point_data[REFERENCE] = whole_references(rows["reference"])
 
     def cells(self, section: int) -> None:
+        """Read rows of corners, counted from 1, and a reference; int64 in version 4, int32 before."""
         kind, own, row = CELLS[section]
         count = self.integer(self.whole, "the number of cells")
         begin = self.position

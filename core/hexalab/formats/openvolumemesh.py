@@ -55,6 +55,13 @@ class Reader:
             raise text.error(f"the file is in the form {quoted(form)}, expected ASCII")
 
     def read(self) -> Mesh:
+        """Read vertices, edges, faces, polyhedra and properties, in the order that the format prescribes.
+
+        Raises
+        ------
+        MeshReadError
+            A section is missing, or an id of one refers to nothing in the one before.
+        """
         text = self.text
         self.expect(b"Vertices")
         count = text.count("vertices", 3)
@@ -79,12 +86,14 @@ class Reader:
         return self.out.mesh()
 
     def expect(self, keyword: bytes) -> None:
+        """Take the next word; a MeshReadError if it isn't this keyword, in capitals or not."""
         start = self.text.word_offset()
         word = self.text.word()
         if word.lower() != keyword.lower():
             raise self.text.error(f"{quoted(word)} stands where {keyword.decode()} was expected", start)
 
     def ids(self, count: int, what: str) -> tuple[NDArray[np.int32], Any]:
+        """Read (count,) int32, and what makes an error about one of them: of a message and its index."""
         start = self.text.position
         values = self.text.ids(count, what)
         return values, lambda m, index: self.text.error(m, self.text.number_offset(start, index))

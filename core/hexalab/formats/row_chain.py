@@ -94,7 +94,10 @@ def row_starts(values: Array, count: int | None, form: RowForm, error_at: ErrorA
 
 
 def first_run(values: Array, position: int, form: RowForm) -> tuple[int, int]:
-    """How many rows from a position on have the same keys, and their length; 0 rows where none fits."""
+    """How many rows from a position on have the same keys, and their length in values.
+
+    0 rows if the first doesn't fit into `values`.
+    """
     size = len(values)
     if position + max(form.keys) >= size:
         return 0, 0

@@ -70,6 +70,13 @@ class Reader:
         )
 
     def read(self) -> Mesh:
+        """Read section after section; reading stops, with a note, at what isn't of the format behind the cells.
+
+        Raises
+        ------
+        MeshReadError
+            No unstructured grid, no cells, or sections that don't fit one another.
+        """
         text = self.text
         while word := text.word():
             start = text.position - len(word)
@@ -109,6 +116,7 @@ class Reader:
         return self.out.mesh()
 
     def dataset(self) -> None:
+        """Read the kind of data set; any but UNSTRUCTURED_GRID is an error that says what was found."""
         word = self.text.word()
         name = word.decode("latin-1").lower()
         if name != "unstructured_grid":
@@ -116,6 +124,7 @@ class Reader:
             raise self.text.error(f"the file holds {quoted(word)}{what}, {VOLUMES}")
 
     def points(self) -> None:
+        """Read POINTS, of any number type, into (3, V) float64; what isn't finite is an error."""
         text = self.text
         if self.out.coordinates is not None:
             raise text.error("a second section POINTS, expected one")
@@ -138,6 +147,7 @@ class Reader:
         self.out.coordinates = coordinates
 
     def read_cells(self) -> None:
+        """Read CELLS, either OFFSETS and CONNECTIVITY (from version 5 on) or rows that begin with their length."""
         text = self.text
         if self.cells is not None:
             raise text.error("a second section CELLS, expected one")
@@ -184,6 +194,7 @@ class Reader:
         self.cells = ids, starts, sizes, error_at
 
     def read_types(self) -> None:
+        """Read CELL_TYPES, VTK's number for each cell; of several such sections the first counts."""
         count = self.text.count("cell types", 0)
         self.values.begin()
         types, _ = self.values.take(count, "i4", "CELL_TYPES")

@@ -39,7 +39,7 @@ class Values:
                 raise self.text.error(f"{quoted(rest.strip())} stands where the line should end", start)
 
     def number_type(self, word: bytes) -> str:
-        """numpy's code for a VTK number type, without byte order; "bit" and "string" stay."""
+        """The code that numpy has for a VTK number type, without byte order; "bit" and "string" stay."""
         name = word.decode("latin-1").lower()
         if name in ("bit", "string", "utf8_string"):
             return "bit" if name == "bit" else "string"

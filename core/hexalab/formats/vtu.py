@@ -45,6 +45,15 @@ class Reader:
         self.vertex_count = 0
 
     def read(self) -> Mesh:
+        """Read the pieces and join them, their vertices and cells one after the other.
+
+        Attributes that not every piece has, in the same width, are left out.
+
+        Raises
+        ------
+        MeshReadError
+            An array is missing, damaged, or of another length than its piece says.
+        """
         coordinates: list[Array] = []
         data: list[tuple[dict[str, Array], dict[str, Array]]] = []
         for piece in self.pieces:
@@ -72,6 +81,7 @@ class Reader:
         return int(text)
 
     def section(self, piece: Element, name: str) -> Element:
+        """The element of that name in a piece; its absence is an error."""
         element = piece.first(name)
         if element is None:
             raise self.arrays.error(piece, f"the piece has no element {name}")

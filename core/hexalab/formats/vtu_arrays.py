@@ -107,7 +107,7 @@ class Arrays:
         return np.frombuffer(data, dtype)
 
     def content_end(self, element: Element) -> int:
-        """Where the element's own content ends: at its first child, if any (VTK's InformationKey)."""
+        """Where the element's own content ends: at its first child (VTK puts InformationKey there), if any."""
         end = self.file.data.find(b"<", element.begin, element.end)
         return element.end if end < 0 else end
 
@@ -166,6 +166,7 @@ class Arrays:
         return self.inflated(memoryview(data), sizes, element, what)
 
     def base64(self, text: bytes, element: Element, what: str) -> bytes:
+        """Decode base64 without blanks; a wrong letter or length is an error, not skipped."""
         try:
             return binascii.a2b_base64(text, strict_mode=True) if text else b""
         except binascii.Error as error:
@@ -181,6 +182,7 @@ class Arrays:
         return [int(n) for n in np.frombuffer(data, self.header, count)]
 
     def exactly(self, data: memoryview, size: int, element: Element, what: str) -> memoryview:
+        """The first `size` bytes; an error if there are fewer."""
         if size > len(data):
             raise self.error(element, f"{what} should be {size} bytes, but only {len(data)} are there")
         return data[:size]

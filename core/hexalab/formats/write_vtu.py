@@ -56,6 +56,7 @@ def array(name: str, values: Array, width: int) -> list[bytes]:
 
 
 def base64(data: bytes) -> bytes:
+    """Base64 without line breaks, as VTK reads it."""
     return binascii.b2a_base64(data, newline=False)
 
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from functools import partial
 from http.server import ThreadingHTTPServer
 from pathlib import Path
-from typing import Any
+from typing import Any, Self, TypedDict
 from urllib.parse import unquote
 
 from playwright.sync_api import Error as PlaywrightError
@@ -62,6 +62,29 @@ class RenderError(HexaLabError):
     """A picture can't be made."""
 
 
+class Rejection(TypedDict):
+    """A setting that could not be applied.
+
+    Attributes
+    ----------
+    path : str
+        The setting, as "separation.gap".
+    found, expected : str
+        In words.
+    """
+
+    path: str
+    found: str
+    expected: str
+
+
+class Shown(TypedDict):
+    """What the page tells once a mesh stands in it: `rejections` and `summary`, as `Rendering` has them."""
+
+    rejections: list[Rejection]
+    summary: dict[str, Any]
+
+
 @dataclass(frozen=True)
 class Rendering:
     """A picture and what was told of it.
@@ -70,14 +93,14 @@ class Rendering:
     ----------
     png : bytes
         The status is in its text chunk.
-    rejections : list of {path, found, expected}
+    rejections : list of Rejection
         What of the status could not be applied.
     summary : dict
         The mesh's, as `window.hexalab.summary()` gives it.
     """
 
     png: bytes
-    rejections: list[dict[str, str]] = field(default_factory=list)
+    rejections: list[Rejection] = field(default_factory=list)
     summary: dict[str, Any] = field(default_factory=dict)
 
 
@@ -118,7 +141,7 @@ class Renderer:
         self._open = ExitStack()
         self._page: Page | None = None
 
-    def __enter__(self) -> Renderer:
+    def __enter__(self) -> Self:
         """Serve the site on this machine and start the browser.
 
         Raises
@@ -176,7 +199,7 @@ class Renderer:
         png = base64.b64decode(self._answer(PICTURE, size, name)["png"])
         return Rendering(png, answer["rejections"], answer["summary"])
 
-    def show(self, name: str, data: bytes | None, status: dict[str, Any] | None = None) -> dict[str, Any]:
+    def show(self, name: str, data: bytes | None, status: dict[str, Any] | None = None) -> Shown:
         """Open a mesh in the viewer and wait until its light has converged.
 
         Parameters
@@ -186,8 +209,8 @@ class Renderer:
 
         Returns
         -------
-        dict
-            ``rejections`` and ``summary``, as `Rendering` has them.
+        Shown
+            What could not be applied, and the mesh's summary.
 
         Raises
         ------
@@ -197,7 +220,8 @@ class Renderer:
         if data is not None:
             self._shelf[OFFERED] = data
         address = "" if data is None else OFFERED
-        return self._answer(SHOW, {"address": address, "name": name, "status": status}, name)
+        answer = self._answer(SHOW, {"address": address, "name": name, "status": status}, name)
+        return Shown(rejections=answer["rejections"], summary=answer["summary"])
 
     @property
     def page(self) -> Page:

@@ -136,8 +136,9 @@ class Opened:
     def map_positions(
         self, quantity: str, values: Floats, limits: tuple[float, float] | None = None
     ) -> NDArray[np.float64]:
-        """Place values on a colour map: 0 its first colour (the best, or the lowest of an attribute), 1 its
-        last.
+        """Place values on a colour map, from 0, its first colour, to 1, its last.
+
+        The first colour is that of the best value of a metric, or of the lowest of an attribute.
 
         Parameters
         ----------

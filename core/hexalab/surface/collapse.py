@@ -29,9 +29,15 @@ def first_places(corners: Ids) -> Places | None:
 
 
 def by_pattern(corners: Ids) -> list[tuple[Pattern, NDArray[np.intp]]]:
-    """Split (8, n) cells by the pattern in which they collapse; pairs of a pattern and its cells' indices.
+    """Split (8, n) cells by the pattern in which they collapse.
 
-    A pattern says for each of the eight places the first one that holds the same vertex.
+    A pattern says for each of the eight places the first one that holds the same vertex: 0 to 7 for a true
+    hexahedron, (0, 1, 2, 2, 4, 5, 6, 6) for one whose edges 2-3 and 6-7 have no length.
+
+    Returns
+    -------
+    list of (pattern, (m,) intp)
+        Each pattern that occurs, and the indices of its cells.
     """
     first = first_places(corners)
     if first is None:

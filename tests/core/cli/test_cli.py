@@ -264,7 +264,9 @@ def test_A2_a_users_mistake_is_one_line_and_exit_code_2(
     assert "Traceback" not in err
 
 
-@pytest.mark.parametrize("verb", cli.VERBS)
+@pytest.mark.parametrize(
+    "verb", [verb for verb, row in cli.VERBS.items() if row.module.startswith("hexalab.")]
+)
 def test_A2_help_for_every_verb(run: Run, verb: str) -> None:
     code, out, err = run(verb, "--help")
     assert (code, err) == (0, "")

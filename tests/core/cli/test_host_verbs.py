@@ -47,6 +47,7 @@ def test_A2_a_site_that_is_not_there_is_told(
 def test_A2_a_verb_whose_package_is_missing_says_what_to_install(
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
+    mesh_file: Path,
     verb: str,
     package: str,
     remedy: str,
@@ -55,7 +56,7 @@ def test_A2_a_verb_whose_package_is_missing_says_what_to_install(
     for name in [name for name in sys.modules if name.startswith(rooms)]:
         monkeypatch.delitem(sys.modules, name)
     monkeypatch.setitem(sys.modules, package, None)
-    assert cli.main([verb, "x"]) == cli.MISUSE
+    assert cli.main([verb, str(mesh_file), *(["-o", "x.png"] if verb == "render" else [])]) == cli.MISUSE
     out, err = capsys.readouterr()
     assert out == ""
     assert len(err.splitlines()) == 1

@@ -48,3 +48,12 @@ def test_A2_a_folder_that_is_not_there_is_told(
     assert out == ""
     assert len(err.splitlines()) == 1
     assert "none" in err
+
+
+@pytest.mark.parametrize("verb", ["build", "validate", "new-source"])
+def test_A2_help_for_every_verb_of_the_clone(capsys: pytest.CaptureFixture[str], verb: str) -> None:
+    assert cli.main([verb, "--help"]) == 0
+    out, err = capsys.readouterr()
+    assert err == ""
+    assert out.startswith(f"usage: hexalab {verb}")
+    assert cli.VERBS[verb].module.startswith("site_builder.")
