@@ -1,7 +1,7 @@
 # Every target does its own set-up and redoes nothing that is up to date.
 #   make serve [PORT=8000]   build the site and serve it on this machine
 #   make test                everything: core, site, viewer, browser
-#   make lint  make build  make bench
+#   make lint  make build  make bench  make nightly
 
 PYTHON ?= python3
 BIN := .venv/bin
@@ -27,8 +27,9 @@ test: build/.prepared build
 	node --test $$(find tests/viewer -name "*.test.js")
 	$(BIN)/pytest
 
-nightly: build/.prepared build
-	$(BIN)/pytest -m nightly
+# Long fuzzing, and examples that hypothesis has not drawn before.
+nightly: .venv/.ready
+	$(BIN)/pytest -m "nightly or hypothesis" --hypothesis-profile=nightly
 
 lint: .venv/.ready node_modules/.ready
 	$(BIN)/ruff check .

@@ -1,11 +1,10 @@
-"""What every room's tests share: where published meshes may lie, and which tests only a native Python can run."""
+"""What every room's tests share: how hypothesis draws, the one browser, and what is left out, told at the end."""
 
 from __future__ import annotations
 
-import json
 import os
 import re
-import sys
+from collections import Counter
 from collections.abc import Iterator
 from importlib.util import find_spec
 from pathlib import Path
@@ -16,34 +15,43 @@ import pytest
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
 
-ROOT = Path(__file__).resolve().parents[1]
-MESHES = Path(os.environ.get("HEXALAB_MESHES", ROOT.parent / "shared" / "meshes"))
-"""Published meshes with facts about them; they belong to their authors and are not part of this project."""
+LEFT_OUT = pytest.StashKey[list[str]]()
+"""Modules of tests that are not even imported, because hypothesis is missing."""
 
-NATIVE = ("vtk", "vtkmodules", "gmsh", "meshio", "hypothesis", "jsonschema", "playwright", "PIL", "yaml")
-"""Packages that a browser's Python lacks: a module of tests that imports one of them is left out there."""
+HYPOTHESIS = find_spec("hypothesis") is not None
+
+if HYPOTHESIS:
+    from hypothesis import settings
+
+    # Nothing is timed: a slow machine is no fault. On CI the same examples on every run, or a pull request would be
+    # answered by chance; `make nightly` draws new ones and prints how to have a failure again.
+    settings.register_profile("here", deadline=None)
+    settings.register_profile("ci", deadline=None, derandomize=True, database=None)
+    settings.register_profile("nightly", deadline=None, derandomize=False, print_blob=True, max_examples=1000)
+    settings.load_profile("ci" if os.environ.get("CI") else "here")
 
 
-def pytest_ignore_collect(collection_path: Path) -> bool | None:
-    if sys.platform != "emscripten" or collection_path.suffix != ".py":
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """Leave out what hypothesis draws where there is none, as in a browser's Python."""
+    if HYPOTHESIS or collection_path.suffix != ".py":
         return None
-    imported = re.findall(r"^\s*(?:import|from)\s+(\w+)", collection_path.read_text(), re.MULTILINE)
-    return True if any(name in NATIVE and find_spec(name) is None for name in imported) else None
+    if not re.search(r"^(?:import|from) hypothesis", collection_path.read_text("utf-8"), re.MULTILINE):
+        return None
+    config.stash.setdefault(LEFT_OUT, []).append(collection_path.name)
+    return True
 
 
-@pytest.fixture(scope="session")
-def meshes() -> Path:
-    """Folder of published meshes; the test is skipped where it is absent."""
-    if not MESHES.is_dir():
-        pytest.skip(f"no published meshes in {MESHES}")
-    return MESHES
-
-
-@pytest.fixture(scope="session")
-def expected(meshes: Path) -> dict[str, Any]:
-    """Facts about each published mesh by its file name, from dictionaries and VTK's Verdict."""
-    facts: dict[str, Any] = json.loads((meshes / "expected.json").read_text())
-    return facts
+def pytest_terminal_summary(terminalreporter: Any, config: pytest.Config) -> None:
+    """Say how many tests were left out for want of what."""
+    reasons = (str(report.longrepr[2]) for report in terminalreporter.stats.get("skipped", ()))
+    wants = Counter(reason.removeprefix("Skipped: needs ") for reason in reasons if "needs " in reason[:15])
+    for want, count in sorted(wants.items()):
+        terminalreporter.line(
+            f"LEFT OUT: {count} {'test needs' if count == 1 else 'tests need'} {want}", yellow=True
+        )
+    modules = config.stash.get(LEFT_OUT, [])
+    if modules:
+        terminalreporter.line(f"LEFT OUT: {len(modules)} modules of tests need hypothesis", yellow=True)
 
 
 @pytest.fixture(scope="session")

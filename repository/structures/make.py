@@ -158,7 +158,7 @@ def mixed():
     wedges = []
     for j in range(4):
         low, high = 4 + 5 * j, 4 + 5 * (j + 1)
-        wedges.append([low, start + j, low + 25, high, start + j + 1, high + 25])
+        wedges.append([low, low + 25, start + j, high, high + 25, start + j + 1])
     return (
         np.concatenate([points, apexes, ridge]), cells,
         {"Pyramids": pyramids, "Tetrahedra": tetrahedra, "Prisms": wedges},

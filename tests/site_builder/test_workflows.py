@@ -1,12 +1,14 @@
 """What runs on the code host: a contribution's scripts get a token that can only read, no action changes unseen."""
 
 import re
+import tomllib
 from pathlib import Path
 
 import pytest
 import yaml
 
-FOLDER = Path(__file__).resolve().parents[2] / ".github" / "workflows"
+ROOT = Path(__file__).resolve().parents[2]
+FOLDER = ROOT / ".github" / "workflows"
 FILES = sorted(FOLDER.glob("*.yml"))
 
 
@@ -32,6 +34,7 @@ def test_C6_the_token_can_read_alone_and_is_not_left_behind(file):
     workflow = yaml.safe_load(file.read_text("utf-8"))
     assert workflow["permissions"] == {"contents": "read"}
     for name, job in workflow["jobs"].items():
+        assert job["timeout-minutes"] <= 120
         writes = {key for key, value in job.get("permissions", {}).items() if value == "write"}
         assert writes <= ({"pages", "id-token"} if name == "deploy" else set())
         assert not (writes and any("run" in step for step in job["steps"])), (
@@ -60,3 +63,41 @@ def test_C6_the_site_is_built_for_the_address_where_it_will_be():
     assert deploy["permissions"] == {"pages": "write", "id-token": "write"}
     (step,) = [step for step in build["steps"] if "HEXALAB_SITE_ADDRESS" in step.get("env", {})]
     assert "--strict" in step["run"]
+
+
+def test_X3_every_pull_request_is_tested_as_a_whole():
+    workflow = yaml.safe_load((FOLDER / "ci.yml").read_text("utf-8"))
+    assert triggers(workflow) == {"pull_request": None, "push": {"branches": ["main"]}}
+    assert workflow["concurrency"]["group"].endswith("${{ github.ref }}")
+    assert "pull_request" in workflow["concurrency"]["cancel-in-progress"]
+    assert [step["run"] for step in workflow["jobs"]["everything"]["steps"] if "run" in step] == [".ci/run"]
+    assert "make lint test" in (ROOT / ".ci" / "run").read_text("utf-8")
+
+
+def test_X3_the_core_is_tested_on_every_python_and_system():
+    job = yaml.safe_load((FOLDER / "ci.yml").read_text("utf-8"))["jobs"]["core"]
+    matrix = job["strategy"]["matrix"]
+    assert {system.split("-")[0] for system in matrix["system"]} == {"ubuntu", "macos", "windows"}
+    assert job["runs-on"] == "${{ matrix.system }}"
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    assert matrix["python"] == ["3.11", "3.12", "3.13", "3.x"]
+    assert project["requires-python"] == f">={matrix['python'][0]}"
+    install, test = (step["run"] for step in job["steps"] if "run" in step)
+    (numpy,) = [package for package in project["dependencies"] if package.startswith("numpy")]
+    assert f'"{numpy}" pytest hypothesis' in install
+    assert test == "python -m pytest tests/core tests/repro"
+
+
+def test_X3_hypothesis_repeats_itself_on_a_pull_request_and_draws_anew_at_night():
+    from hypothesis import settings
+
+    assert settings.get_profile("ci").derandomize
+    assert not settings.get_profile("nightly").derandomize
+    for profile in ("here", "ci", "nightly"):
+        assert settings.get_profile(profile).deadline is None, "no test asserts seconds"
+    workflow = yaml.safe_load((FOLDER / "nightly.yml").read_text("utf-8"))
+    assert set(triggers(workflow)) == {"schedule", "workflow_dispatch"}
+    assert [step["run"] for step in steps(workflow) if "run" in step] == ["make nightly"]
+    recipe = (ROOT / "Makefile").read_text("utf-8").split("\nnightly:")[1].split("\n\n")[0]
+    assert "--hypothesis-profile=nightly" in recipe
+    assert '-m "nightly or hypothesis"' in recipe

@@ -12,6 +12,8 @@ from numpy.typing import DTypeLike, NDArray
 WORD = re.compile(rb"\S+")
 NUMBER = re.compile(rb"[+-]?(?:\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?|nan|inf(?:inity)?)", re.I)
 INTEGER = re.compile(rb"[+-]?\d+")
+RUN_OF_NUMBERS = re.compile(rb"\s*+(?:(?>" + NUMBER.pattern + rb")(?!\S)\s*+)*+", re.I)
+RUN_OF_INTEGERS = re.compile(rb"\s*+(?:" + INTEGER.pattern + rb"(?!\S)\s*+)*+")
 FORTRAN_EXPONENT = re.compile(rb"(?<=[\d.])[dD](?=[+-]?\d)")
 
 
@@ -19,7 +21,8 @@ def parse(piece: bytes, dtype: DTypeLike) -> tuple[NDArray[Any], bool]:
     """The numbers that a piece of text begins with, and whether something else stopped them.
 
     No count is passed to numpy: where the text has fewer numbers, it returns memory that was never written.
-    Nor white space alone, in which it finds a zero.
+    Nor white space alone, in which it finds a zero. Where a word is no number, numpy 2.2 warns and gives the numbers
+    before it; later releases give nothing, so that they are asked once more for the text before that word.
     """
     if piece.isspace():
         return np.empty(0, dtype=dtype), False
@@ -28,9 +31,9 @@ def parse(piece: bytes, dtype: DTypeLike) -> tuple[NDArray[Any], bool]:
         try:
             values = np.fromstring(piece, dtype=dtype, sep=" ")
         except ValueError:
-            caught.append(warnings.WarningMessage("", DeprecationWarning, "", 0))
-            good = next((m.start() for m in WORD.finditer(piece) if not is_number(m[0], dtype)), 0)
-            values = np.fromstring(piece[:good], dtype=dtype, sep=" ")
+            run = (RUN_OF_NUMBERS if dtype == np.float64 else RUN_OF_INTEGERS).match(piece)
+            good = run.end() if run and run.end() < len(piece) else 0
+            return parse(piece[:good], dtype)[0], True
     return values, bool(caught)
 
 

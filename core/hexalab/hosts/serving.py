@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import os
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
@@ -55,7 +56,7 @@ class SiteServer(ThreadingHTTPServer):
     """Serves on the loopback interface only."""
 
     daemon_threads = True
-    allow_reuse_address = True
+    allow_reuse_address = os.name != "nt"  # on Windows that would share a taken port with its owner
 
     def __init__(self, directory: Path, port: int = 0) -> None:
         super().__init__(("127.0.0.1", port), functools.partial(SiteHandler, directory=str(directory)))

@@ -3,23 +3,20 @@
 from __future__ import annotations
 
 import base64
-import os
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from hexalab.formats import read_bytes
+from hexalab.formats import read
 from hexalab.mesh import Mesh
 from hexalab.surface import DrawnMesh, extract_surface
+from tests.whole_meshes import WHOLE_MESHES
 
 from .grids import grid_surface, pack
 from .rays import openness
 from .test_drawing import FRONT, show
 
-ROOT = Path(__file__).parents[3]
-MESHES = Path(os.environ.get("HEXALAB_MESHES", ROOT.parent / "shared" / "meshes"))
 BASE64 = """(array) => {
     const bytes = new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
     let text = '';
@@ -42,6 +39,12 @@ def gather(stage: Any, surface: dict[str, Any]) -> np.ndarray:
     return numbers(stage, "scene.lighting.object.read()")
 
 
+def whole(name: str) -> Mesh:
+    """Return a mesh of a file by a part of its name."""
+    (found,) = [mesh for mesh in WHOLE_MESHES if name in mesh.name]
+    return read(found.file())
+
+
 def surface_of(mesh: Mesh, mode: str) -> dict[str, Any]:
     """Return the surface of the half of a mesh that lies beyond the middle along x."""
     middle = mesh.points[mesh.cells].mean(axis=1)[:, 0]
@@ -61,18 +64,13 @@ def cavity() -> Mesh:
     return Mesh.from_cells(points.reshape(-1, 3), cells)
 
 
-def published(name: str) -> Mesh:
-    """Return a published mesh, or skip the test where it is not."""
-    found = sorted(MESHES.glob(f"*{name}*")) if MESHES.is_dir() else []
-    if not found:
-        pytest.skip(f"no mesh {name} in {MESHES}")
-    return read_bytes(found[0].read_bytes(), found[0].name)
-
-
 @pytest.mark.parametrize("mode", ["lines", "fissure", "rounded"])
-@pytest.mark.parametrize("name", ["cavity", "rod-rod", "DEMO09", "hex-joint"])
+@pytest.mark.parametrize(
+    "name",
+    ["cavity", "shapes/lattice", "shapes/bracket", "structures/tunnels", "rod-rod", "DEMO09", "hex-joint"],
+)
 def test_V5_openness_is_that_of_traced_rays(stage: Any, name: str, mode: str) -> None:
-    surface = surface_of(cavity() if name == "cavity" else published(name), mode)
+    surface = surface_of(cavity() if name == "cavity" else whole(name), mode)
     directions = numbers(stage, "scene.lighting.object.directions", np.float64).reshape(-1, 3)
     assert directions.shape == (1024, 3)
     count = len(surface["positions"]) // 3

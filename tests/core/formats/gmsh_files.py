@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
-from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+
+from tests.tools import needs
 
 
 @dataclass
@@ -44,6 +44,10 @@ def make(*files: File, wedges: bool = True, order: int = 1, gaps: bool = False) 
 
     Volumes are in the physical groups 7 and 9. With `gaps`, node tags are 1007, 1014, ...
     """
+    needs("gmsh")
+    from concurrent.futures import ProcessPoolExecutor
+    from multiprocessing import get_context
+
     with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool:
         return pool.submit(_make, files, wedges, order, gaps).result()
 

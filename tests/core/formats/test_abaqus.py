@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import meshio
 import numpy as np
 import pytest
 
@@ -12,6 +11,9 @@ from hexalab.errors import MeshReadError
 from hexalab.formats import read, read_bytes
 from tests.core.formats.gmsh_files import File, make
 from tests.core.formats.samples import HEXAHEDRON, INP_CELLS, INP_NODES, Sample, check, grid, signed_volumes
+from tests.tools import tool
+
+meshio = tool("meshio")
 
 UNIT_CUBE = Sample(
     np.array([[x, y, z] for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))], dtype=float),

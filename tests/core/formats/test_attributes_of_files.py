@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-import vtk
-from vtk.util.numpy_support import numpy_to_vtk
 
 from hexalab.errors import MeshReadError
 from hexalab.formats import read_bytes
 from tests.core.formats.samples import grid
 from tests.core.formats.test_vtk_legacy import cube
-from tests.core.formats.vtk_files import insert, legacy, unstructured_grid
+from tests.core.formats.vtk_files import insert, legacy, numpy_to_vtk, unstructured_grid
+from tests.tools import tool
+
+vtk = tool("vtk")
 
 TYPES = ("int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64", "float32", "float64")
 

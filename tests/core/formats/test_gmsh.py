@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import meshio
 import numpy as np
 import pytest
 
@@ -12,6 +11,9 @@ from hexalab.errors import MeshReadError
 from hexalab.formats import read, read_bytes
 from tests.core.formats.gmsh_files import File, make
 from tests.core.formats.samples import HEX_22, MESHIO_NAMES, Sample, check, grid, mixed, signed_volumes
+from tests.tools import tool
+
+meshio = tool("meshio")
 
 FROM_VTK = ([0, 1, 2, 3, 4, 5, 6, 7], [0, 2, 1, 3, 5, 4], [0, 1, 2, 3, 4], [0, 1, 2, 3])
 

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import meshio
 import numpy as np
 import pytest
 
 from hexalab.formats import read
 from tests.core.formats.gmsh_files import File, make
 from tests.core.formats.samples import MESHIO_NAMES, Sample, check, grid, mixed, signed_volumes
+from tests.tools import tool
+
+meshio = tool("meshio")
 
 
 @pytest.mark.parametrize("ending", [".mesh", ".meshb"])

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-import vtk
 
 from hexalab.errors import MeshReadError
 from hexalab.formats import read_bytes
 from tests.core.formats.samples import HEXAHEDRON, Sample, check, check_data, grid, mixed, signed_volumes
 from tests.core.formats.vtk_files import insert, legacy, unstructured_grid
+from tests.tools import tool
+
+vtk = tool("vtk")
 
 CUBE = """# vtk DataFile Version {version}
 a cube

@@ -9,15 +9,16 @@ import struct
 import zlib
 from pathlib import Path
 
-import meshio
 import numpy as np
 import pytest
-import vtk
 
 from hexalab.errors import MeshReadError
 from hexalab.formats import read, read_bytes, write_bytes
 from tests.core.formats.samples import HEXAHEDRON, Sample, check, check_data, grid, mixed, signed_volumes
 from tests.core.formats.vtk_files import insert, unstructured_grid, xml
+from tests.tools import tool
+
+meshio, vtk = tool("meshio"), tool("vtk")
 
 MODES = [
     {"DataMode": "Ascii"},

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import meshio
 import numpy as np
 import pytest
-import vtk
-from vtk.util.numpy_support import vtk_to_numpy
 
 from hexalab.errors import MeshWriteError
 from hexalab.formats import read, read_bytes, write, write_bytes
 from hexalab.mesh import Mesh
 from tests.core.formats.samples import VTK_TYPES, Sample, check, check_data, grid, mixed
-from tests.core.formats.vtk_files import legacy, unstructured_grid
+from tests.core.formats.vtk_files import legacy, unstructured_grid, vtk_to_numpy
+from tests.tools import tool
+
+meshio, vtk = tool("meshio"), tool("vtk")
 
 ODD = [1 / 3, 1e-300, -1.7976931348623157e308, 123456789.123456789, -0.0, 5e-324]
 

@@ -6,10 +6,12 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-import vtk
-from vtk.util.numpy_support import numpy_to_vtk
-
 from tests.core.formats.samples import VTK_TYPES, Sample
+from tests.tools import tool
+
+vtk = tool("vtk")
+numpy_to_vtk = tool("vtk.util.numpy_support").numpy_to_vtk
+vtk_to_numpy = tool("vtk.util.numpy_support").vtk_to_numpy
 
 
 def unstructured_grid(sample: Sample) -> vtk.vtkUnstructuredGrid:

@@ -1,5 +1,6 @@
 """The local server: right types, fresh files, this machine only."""
 
+import sys
 import threading
 import urllib.error
 import urllib.request
@@ -7,6 +8,8 @@ import urllib.request
 import pytest
 
 from hexalab.hosts.serving import make_server, serve
+
+pytestmark = pytest.mark.skipif(sys.platform == "emscripten", reason="hosts run natively")
 
 
 @pytest.fixture

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 
 from hexalab.cells import COLLAPSE, HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
 from hexalab.mesh import Mesh
+from tests.tools import tool
+
+vtk, numpy_support = tool("vtk"), tool("vtk.util.numpy_support")
 
 NAMES = {
     "diagonal": "Diagonal",
@@ -49,16 +51,14 @@ IDEAL = {
 
 def quality(points: np.ndarray, cells: np.ndarray, metric: str, kind: int = HEXAHEDRON) -> np.ndarray:
     """Verdict's values of cells (C, k) over points (V, 3); the test is skipped where VTK is absent."""
-    vtk = pytest.importorskip("vtk")
-    from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-
+    numpy_to_vtk = numpy_support.numpy_to_vtk
     prefix, cell_type = KINDS[kind]
     count, corners = cells.shape
     grid, vtk_points, array = vtk.vtkUnstructuredGrid(), vtk.vtkPoints(), vtk.vtkCellArray()
     vtk_points.SetData(numpy_to_vtk(np.ascontiguousarray(points, dtype=float), deep=1))
     offsets = np.arange(0, corners * count + 1, corners, dtype=np.int64)
     ids = np.ascontiguousarray(cells, dtype=np.int64).ravel()
-    array.SetData(numpy_to_vtkIdTypeArray(offsets, deep=1), numpy_to_vtkIdTypeArray(ids, deep=1))
+    array.SetData(*(numpy_support.numpy_to_vtkIdTypeArray(part, deep=1) for part in (offsets, ids)))
     grid.SetPoints(vtk_points)
     grid.SetCells(cell_type, array)
     filter_ = vtk.vtkMeshQuality()
@@ -66,7 +66,7 @@ def quality(points: np.ndarray, cells: np.ndarray, metric: str, kind: int = HEXA
     name = "MeanAspectFrobenius" if kind == WEDGE and metric.startswith("mean") else NAMES[metric]
     getattr(filter_, f"Set{prefix}QualityMeasureTo{name}")()
     filter_.Update()
-    return vtk_to_numpy(filter_.GetOutput().GetCellData().GetArray("Quality")).copy()
+    return numpy_support.vtk_to_numpy(filter_.GetOutput().GetCellData().GetArray("Quality")).copy()
 
 
 def of_corners(corners: np.ndarray, metric: str, kind: int = HEXAHEDRON) -> np.ndarray:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,9 +16,9 @@ from hexalab.packing import unpack
 from hexalab.quality import METRICS, quality_many
 from hexalab.session import DESCRIBED, Session
 from hexalab.status import CORE_PATHS, DEFAULTS, core_part, merge
+from tests import published
+from tests.whole_meshes import WHOLE_MESHES, WholeMesh
 
-ROOT = Path(__file__).parents[3]
-PICTURES = ROOT.parent / "shared" / "reference" / "pictures"
 ALL = core_part(DEFAULTS)
 RECORDS = {"surface", "silhouette", "irregular", "colour"}
 
@@ -442,13 +441,20 @@ def test_R8_a_constant_attribute_has_the_first_colour(attributed: bytes) -> None
     assert (update["colour"]["map_position"] == 0).all()
 
 
-def test_V7_inspector_agrees_with_the_whole_mesh(meshes: Path) -> None:
+INSPECTED = (
+    "structures/collapsed.mesh",
+    "faults/repeated-vertex.mesh",
+    "2021-at-most-hexa--cylinder-n-slivers.mesh",
+)
+
+
+@pytest.mark.parametrize("whole", [one for one in WHOLE_MESHES if one.name in INSPECTED], ids=str)
+def test_V7_inspector_agrees_with_the_whole_mesh(whole: WholeMesh) -> None:
     session = Session()
-    name = "2021-at-most-hexa--cylinder-n-slivers.mesh"
-    session.open(name, (meshes / name).read_bytes())
+    session.open(whole.file().name, whole.file().read_bytes())
     mesh = session._opened.mesh  # type: ignore[union-attr]
     values = quality_many(mesh)
-    for cell in (0, 17, 900, 1745):
+    for cell in (0, 17, whole.cells // 2, whole.cells - 1):
         told = session.inspect(cell)
         assert plain(told)
         for metric, value in told["metrics"].items():
@@ -563,14 +569,13 @@ def test_P7_values_are_kept_within_bounds(block: Session, monkeypatch: pytest.Mo
     assert len(opened._values) == 2
 
 
-@pytest.mark.skipif(not PICTURES.is_dir(), reason="the original's pictures are not here")
-def test_S4_the_view_of_a_real_picture_of_the_original(meshes: Path) -> None:
+def test_S4_the_view_of_a_real_picture_of_the_original() -> None:
     from hexalab.png_text import read_settings
 
     session = Session()
     name = "2012-all-hex-meshing--rod-rod.vtk"
-    session.open(name, (meshes / name).read_bytes())
-    checked = session.check(read_settings((PICTURES / "original-3.png").read_bytes()))
+    session.open(name, published.file_of(name).read_bytes())
+    checked = session.check(read_settings(published.picture("original-3.png").read_bytes()))
     assert checked["rejections"] == []
     update = session.update(core_settings(checked["partial"]))
     assert update["surface"]["mode"] == "rounded"

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import json
 from copy import deepcopy
-from time import perf_counter
+from functools import cache
 from typing import Any
 
-import jsonschema
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from hexalab import HexaLabError, status
 from hexalab.status.schema import Schema
+from tests.counting import lines_of_core
+from tests.tools import tool
 
-VALIDATOR = jsonschema.Draft202012Validator(status.SCHEMA)
+jsonschema = tool("jsonschema")
 
 KNOWN_KEYWORDS = {
     "$schema", "title", "description", "type", "properties", "additionalProperties", "required", "default",
@@ -25,6 +26,11 @@ KNOWN_KEYWORDS = {
 
 
 REQUIRED = {"planes": {"normal": [0, 0, 1]}, "quality": {"quantity": "volume"}}
+
+
+@cache
+def validator() -> Any:
+    return jsonschema.Draft202012Validator(status.SCHEMA)
 
 
 def subschemas(schema: Schema, path: tuple[Any, ...] = ()) -> list[tuple[tuple[Any, ...], Schema]]:
@@ -55,7 +61,7 @@ def test_S1_schema_is_a_json_schema_of_keywords_that_the_checker_knows() -> None
 
 
 def test_S1_defaults_are_complete_and_valid() -> None:
-    VALIDATOR.validate(status.DEFAULTS)
+    validator().validate(status.DEFAULTS)
     clean, rejections = status.check(status.DEFAULTS)
     assert (clean, rejections) == (status.DEFAULTS, [])
     for path, schema in subschemas(status.SCHEMA):
@@ -136,10 +142,13 @@ def test_S1_a_wrong_cell_number_leaves_the_others() -> None:
 
 
 def test_F6_a_hundred_thousand_picked_cells_are_checked_at_once() -> None:
+    def lines(count: int) -> int:
+        document = {"filters": {"picking": {"hidden": list(range(count))}}}
+        return lines_of_core(lambda: status.check(document))[0]
+
+    assert lines(100_000) == lines(10), "no line of Python runs for each cell"
     cells = list(range(100_000))
-    began = perf_counter()
     clean, rejections = status.check({"filters": {"picking": {"hidden": cells}}})
-    assert perf_counter() - began < 0.5
     assert clean["filters"]["picking"]["hidden"] == cells
     assert not rejections
     assert len(status.check({"filters": {"picking": {"hidden": [True, -2, 1.5, 4]}}})[1]) == 3
@@ -175,16 +184,16 @@ PLACES = [path for path, _ in subschemas(status.SCHEMA) if path]
 def test_S1_checker_agrees_with_jsonschema(path: tuple[Any, ...], value: Any) -> None:
     document = placed(path, value)
     clean, rejections = status.check(document)
-    assert (not rejections) == VALIDATOR.is_valid(document)
-    VALIDATOR.validate(clean)
-    VALIDATOR.validate(status.merge(status.DEFAULTS, clean))
+    assert (not rejections) == validator().is_valid(document)
+    validator().validate(clean)
+    validator().validate(status.merge(status.DEFAULTS, clean))
 
 
 @settings(max_examples=200, deadline=None)
 @given(JSON_VALUES)
 def test_S1_any_json_is_answered(value: Any) -> None:
     clean, rejections = status.read(value)
-    VALIDATOR.validate(clean)
+    validator().validate(clean)
     for rejection in rejections:
         assert set(rejection.as_dict()) == {"path", "found", "expected"}
         assert rejection.expected in str(rejection)

@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 import math
-import os
-from pathlib import Path
 from typing import Any
 
 import pytest
 
 from hexalab import status
 from hexalab.png_text import read_settings
-
-ROOT = Path(__file__).parents[3]
-PICTURES = Path(os.environ.get("HEXALAB_PICTURES", ROOT / "../shared/reference/pictures"))
+from tests.published import picture
 
 MESH = status.OpenMesh(
     centre=(1.0, 2.0, 3.0),
@@ -30,7 +26,6 @@ def converted(document: dict[str, Any], mesh: status.OpenMesh | None = MESH) -> 
     return partial
 
 
-@pytest.mark.skipif(not PICTURES.is_dir(), reason="the original's pictures are not here")
 @pytest.mark.parametrize(
     ("name", "mode", "by", "irregular", "offset"),
     [
@@ -43,7 +38,7 @@ def converted(document: dict[str, Any], mesh: status.OpenMesh | None = MESH) -> 
 def test_S4_real_pictures_of_the_original(
     name: str, mode: str, by: str, irregular: int, offset: float
 ) -> None:
-    document = read_settings((PICTURES / name).read_bytes())
+    document = read_settings(picture(name).read_bytes())
     assert status.is_original(document)
     partial = converted(document)
     assert partial["separation"]["mode"] == mode
