@@ -15,6 +15,11 @@ import { Trackball } from "./camera/trackball.js";
 import { UNSEEN } from "./layers/unseen.js";
 
 /**
+ * @typedef {import("./scene_like.js").SceneEvents} SceneEvents
+ * @typedef {import("./scene_like.js").SceneLike} SceneLike
+ */
+
+/**
  * The drawing of one mesh on one canvas: takes the core's buffers and the status document, draws when something changed.
  *
  * @example
@@ -23,11 +28,13 @@ import { UNSEEN } from "./layers/unseen.js";
  * scene.setStatus(store.status);
  * scene.setSurface(answer.surface);
  * scene.on("camera", (camera) => store.set({ camera }));
+ * @implements {SceneLike}
  */
 export class Scene {
   /** Milliseconds of the last upload, picture, first and whole lighting. @type {Record<string, number>} */
   timings = {};
   #canvas;
+  /** @type {Emitter<SceneEvents>} */
   #events = new Emitter();
   #rig = new CameraRig();
   #painter;
@@ -43,7 +50,7 @@ export class Scene {
   /** Whether the canvas shows a draft. */
   #draft = false;
   #abort = new AbortController();
-  /** @type {import("./types.js").MeshFrame} */
+  /** @type {import("../geometry/records.js").MeshFrame} */
   #mesh = { cells: 0 };
   /** @type {(() => void)[]} */
   #waiting = [];
@@ -71,7 +78,7 @@ export class Scene {
     this.#motion = new Motion(
       {
         slow: () => this.#pace.slow(this.#layers.surface.surface?.faces.length ?? 0),
-        released: () => this.#events.emit("calm", null),
+        released: () => this.#events.emit("calm", undefined),
       },
       signal,
     );
@@ -91,9 +98,9 @@ export class Scene {
   }
 
   /**
-   * @param {string} name "camera" (at every move), "cameraend", "click" and "hover" ({x, y, event} or null), "calm" (nothing is
-   *   held any more, or has not moved for long), "contextlost", "contextrestored"
-   * @param {(detail: any) => void} listener
+   * @template {keyof SceneEvents} Name
+   * @param {Name} name
+   * @param {(detail: SceneEvents[Name]) => void} listener
    * @returns {() => void} takes the listener off
    */
   on(name, listener) {
@@ -117,7 +124,7 @@ export class Scene {
     this.setSurface(null);
   }
 
-  /** Begins another mesh: what was drawn of the last one goes. @param {import("./types.js").MeshFrame} mesh */
+  /** Begins another mesh: what was drawn of the last one goes. @param {import("../geometry/records.js").MeshFrame} mesh */
   setMesh(mesh) {
     this.#mesh = mesh;
     this.#pace.forget();
@@ -135,7 +142,7 @@ export class Scene {
   }
 
   /**
-   * @param {import("./types.js").Surface | null} surface
+   * @param {import("../geometry/records.js").Surface | null} surface
    * @param {boolean} [same] as the one on the screen, with more to it: nothing has moved
    */
   setSurface(surface, same = false) {
@@ -149,13 +156,13 @@ export class Scene {
     this.#loop.invalidate();
   }
 
-  /** @param {import("./types.js").Silhouette | null} silhouette */
+  /** @param {import("../geometry/records.js").Silhouette | null} silhouette */
   setSilhouette(silhouette) {
     this.#layers.setSilhouette(silhouette);
     this.#loop.invalidate();
   }
 
-  /** @param {import("./types.js").Irregular | null} irregular */
+  /** @param {import("../geometry/records.js").Irregular | null} irregular */
   setIrregular(irregular) {
     this.#layers.irregular.set(irregular);
     this.#loop.invalidate();
@@ -196,7 +203,7 @@ export class Scene {
    *
    * @param {number} x CSS pixels from the canvas's left
    * @param {number} y from its top
-   * @returns {{ face: number, cell: number, localFace: number } | null}
+   * @returns {import("./scene_like.js").FaceHit | null}
    */
   pick(x, y) {
     const row = this.#rowAt(x, y);
@@ -243,7 +250,7 @@ export class Scene {
   /**
    * The drawing as a PNG of any size, lighting completed before; without gizmo, plane and highlight.
    *
-   * @param {{ width?: number, height?: number, transparent?: boolean }} [options]
+   * @param {import("./scene_like.js").PictureOptions} [options]
    * @returns {Promise<Blob>}
    */
   async screenshot({ width, height, transparent = false } = {}) {
@@ -277,7 +284,7 @@ export class Scene {
     });
   }
 
-  /** What is drawn. @returns {{ faces: number, triangles: number, edges: number, cells: number }} */
+  /** What is drawn. @returns {import("./scene_like.js").DrawnCounts} */
   drawn() {
     const surface = this.#layers.surface.surface;
     if (!surface) return { faces: 0, triangles: 0, edges: 0, cells: 0 };
@@ -342,7 +349,7 @@ export class Scene {
     // surface that another follows.
     if (slow && (this.#pace.watching || (busy && !this.#motion.still(now))))
       return { again: true, draw: false };
-    if (this.#draft && held && !busy) this.#events.emit("calm", null);
+    if (this.#draft && held && !busy) this.#events.emit("calm", undefined);
     const { again, draw } = this.#lighting.step(busy, slow);
     return { again: again || this.#draft, draw: draw || (this.#draft && !busy) };
   }
@@ -402,12 +409,12 @@ export class Scene {
     this.#lighting.forget();
     this.#layers.forget();
     release(this.#picker.scene);
-    this.#events.emit("contextlost");
+    this.#events.emit("contextlost", undefined);
   }
 
   #restored() {
     this.#loop.stopped = false;
-    this.#events.emit("contextrestored");
+    this.#events.emit("contextrestored", undefined);
   }
 
   dispose() {

@@ -87,8 +87,8 @@ export class CameraRig {
   }
 
   /**
-   * @param {number[]} direction
-   * @param {number[]} up
+   * @param {import("../types.js").Vector} direction
+   * @param {import("../types.js").Vector} up
    */
   #look(direction, up) {
     const back = new Vector3().fromArray(direction).negate();

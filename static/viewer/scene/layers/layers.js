@@ -56,14 +56,14 @@ export class Layers {
     painter.overlay.add(this.plane.group, this.highlight.group);
   }
 
-  /** @param {import("../types.js").Surface | null} surface */
+  /** @param {import("../../geometry/records.js").Surface | null} surface */
   setSurface(surface) {
     this.surface.set(surface);
     this.#edged = false;
     this.highlight.set(surface, null);
   }
 
-  /** @param {import("../types.js").Silhouette | null} silhouette */
+  /** @param {import("../../geometry/records.js").Silhouette | null} silhouette */
   setSilhouette(silhouette) {
     this.silhouette.set(silhouette);
     this.#painter.renewBackdrop();
