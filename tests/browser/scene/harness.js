@@ -17,14 +17,14 @@ const page = /** @type {any} */ (window);
 page.unpack = unpack;
 page.errors = [];
 window.addEventListener("error", (event) => page.errors.push(event.message));
-page.start = (width, height, pixelRatio = 1) => {
+page.start = (width, height, pixelRatio, camera) => {
   page.scene?.dispose();
   document.querySelector("canvas")?.remove();
   const canvas = document.createElement("canvas");
   canvas.style.width = `${width}px`;
   canvas.style.height = `${height}px`;
   document.body.append(canvas);
-  page.scene = new Scene(canvas);
+  page.scene = new Scene(canvas, camera);
   page.scene.resize(width, height, pixelRatio);
 };
 page.next = (frames = 1) =>

@@ -112,6 +112,18 @@ export class Layers {
     return (this.surface.surface?.edges?.length ?? 0) / 6;
   }
 
+  /** What of the surface is drawn. @returns {import("../scene_like.js").DrawnCounts} */
+  get counts() {
+    const { surface } = this.surface;
+    if (!surface) return { faces: 0, triangles: 0, edges: 0, cells: 0 };
+    return {
+      faces: surface.faces.length,
+      triangles: 2 * surface.faces.length,
+      edges: this.edgeCount,
+      cells: new Set(surface.cells).size,
+    };
+  }
+
   /** @param {Parameters<LinesLayer["view"]>[0] & { draft: boolean, outside: boolean }} view outside: so stands the eye */
   view(view) {
     const { surface } = this.surface;

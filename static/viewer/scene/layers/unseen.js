@@ -1,5 +1,5 @@
 /**
- * A surface of one face that stands behind the eye of the first camera.
+ * A surface of one face that stands behind an eye at the origin, which looks along -z.
  *
  * @type {import("../../geometry/records.js").Surface}
  */

@@ -5,10 +5,11 @@ import { Vector3 } from "three";
 import { CameraRig } from "../../../../static/viewer/scene/camera/camera_rig.js";
 import { TouchPair } from "../../../../static/viewer/scene/camera/touch_pair.js";
 import { Trackball } from "../../../../static/viewer/scene/camera/trackball.js";
+import { FRONT } from "./front.js";
 
 /** A trackball on a canvas of 800 x 600 that only has a size. */
 function setUp() {
-  const rig = new CameraRig();
+  const rig = new CameraRig(FRONT);
   rig.aspect = 800 / 600;
   const canvas = {
     style: {},
@@ -30,7 +31,7 @@ test("V6: what stands under the pointer stays there while the wheel zooms", () =
     rig.update();
     const now = place.clone().project(rig.camera);
     assert.ok(Math.abs(now.x - 0.5) < 1e-6 && Math.abs(now.y - 0.25) < 1e-6, `${now.toArray()}`);
-    assert.ok(Math.abs(rig.distance - 1.5 / 1.8) < 1e-9);
+    assert.ok(Math.abs(rig.distance - FRONT.distance / 1.8) < 1e-9);
   }
 });
 
