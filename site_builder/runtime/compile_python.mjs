@@ -13,7 +13,7 @@ import { pathToFileURL } from "node:url";
 import { resolve } from "node:path";
 
 const [folder, plan] = process.argv.slice(2);
-const { loadPyodide } = await import(pathToFileURL(resolve(folder, "pyodide.mjs")));
+const { loadPyodide } = await import(pathToFileURL(resolve(folder, "pyodide.mjs")).href);
 const pyodide = await loadPyodide({ indexURL: resolve(folder) });
 
 pyodide.runPython(`
