@@ -36,6 +36,7 @@ lint: .venv/.ready node_modules/.ready
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	node_modules/.bin/prettier --check --log-level warn .
+	node_modules/.bin/biome lint
 	node_modules/.bin/tsc --project tsconfig.json
 
 format: .venv/.ready node_modules/.ready

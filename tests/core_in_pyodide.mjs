@@ -13,7 +13,8 @@ const [sitePackages, ...pytestArguments] = process.argv.slice(2);
 const interpreter = resolve(root, "node_modules/pyodide");
 const { loadPyodide } = await import(resolve(interpreter, "pyodide.mjs"));
 const pyodide = await loadPyodide({ indexURL: interpreter });
-const numpy = JSON.parse(readFileSync(resolve(interpreter, "pyodide-lock.json"))).packages.numpy.file_name;
+const numpy = JSON.parse(readFileSync(resolve(interpreter, "pyodide-lock.json"), "utf8")).packages.numpy
+  .file_name;
 const carrier = resolve(root, "node_modules/@galaxyproject/vintent/static/pyodide", numpy);
 await pyodide.loadPackage(carrier, { messageCallback: () => {} });
 pyodide.mountNodeFS("/project", root);

@@ -10,7 +10,7 @@ import { pathToFileURL } from "node:url";
 import { resolve } from "node:path";
 
 const [interpreter, wheels, folder] = process.argv.slice(2);
-const { loadPyodide } = await import(pathToFileURL(resolve(interpreter, "pyodide.mjs")));
+const { loadPyodide } = await import(pathToFileURL(resolve(interpreter, "pyodide.mjs")).href);
 
 /**
  * @param {string} level 1 or 2, as in `python -O` or `-OO`

@@ -44,7 +44,7 @@ openWhatTheAddressNames().catch(() => {}); // said in a message by whoever faile
 /** @returns {{ scene: any, problem: string }} a scene that draws nothing where the browser lacks WebGL 2 */
 function makeScene() {
   try {
-    return { scene: new Scene(canvas), problem: "" };
+    return { scene: new Scene(canvas, store.status.camera), problem: "" };
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);
     return {

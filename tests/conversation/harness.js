@@ -2,7 +2,7 @@
 import { CoreClient, CoreError } from "../../static/viewer/core/client.js";
 import { WorkerTransport } from "../../static/viewer/core/worker_transport.js";
 
-/** @type {Record<string, (place: any) => import("../../static/viewer/core/client.js").Transport>} */
+/** @type {Record<string, (place: { worker: string, runtime: string }) => import("../../static/viewer/core/client.js").Transport>} */
 const TRANSPORTS = {
   worker: ({ worker, runtime }) => new WorkerTransport({ worker, runtime }),
 };
@@ -10,7 +10,7 @@ const TRANSPORTS = {
 /** @type {CoreClient} */
 let client;
 
-/** Arrays as {dtype, base64}, all else as it is. @param {any} value @returns {any} */
+/** Arrays as {dtype, base64}, all else as it is. @param {unknown} value @returns {unknown} */
 function told(value) {
   if (ArrayBuffer.isView(value)) {
     const bytes = new Uint8Array(value.buffer, value.byteOffset, value.byteLength);
@@ -22,19 +22,22 @@ function told(value) {
   return Object.fromEntries(Object.entries(value).map(([key, one]) => [key, told(one)]));
 }
 
+/** @param {unknown} one @returns {one is { base64: string }} */
+const isFile = (one) => typeof one === "object" && one !== null && "base64" in one;
+
 /** @param {string} base64 */
 const blockOf = (base64) => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)).buffer;
 
 Object.assign(window, {
-  /** @param {string} way @param {any} place */
+  /** @param {string} way @param {{ worker: string, runtime: string }} place */
   begin: async (way, place) => {
     client = new CoreClient(TRANSPORTS[way](place));
     await client.ready;
   },
-  /** @param {string} method @param {any[]} args a file's bytes as {base64} */
+  /** @param {string} method @param {unknown[]} args a file's bytes as {base64} */
   ask: async (method, args) => {
     try {
-      const given = args.map((one) => (one?.base64 === undefined ? one : blockOf(one.base64)));
+      const given = args.map((one) => (isFile(one) ? blockOf(one.base64) : one));
       return { result: told(await client.call(method, given)) };
     } catch (error) {
       if (!(error instanceof CoreError)) throw error;

@@ -80,7 +80,7 @@ export class Cells {
       return;
     }
     if (tool === "dig" || tool === "isolate") this.pick(tool, hit.cell);
-    else this.inspect(hit.cell);
+    else void this.inspect(hit.cell);
     if (tool === "isolate") facts.set({ tool: "turn" });
   }
 

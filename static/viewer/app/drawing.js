@@ -32,7 +32,7 @@ export class Drawing {
       if (!changed.length) return;
       scene.setStatus(status);
       // The translucent plane moves with the answer: a picture of it alone would delay that of the slice.
-      if (this.#settings.concern(changed)) this.update();
+      if (this.#settings.concern(changed)) void this.update();
       else if (this.#facts.get("planeShown")) this.#showPlane();
     });
     facts.on("planeShown", () => this.#showPlane());

@@ -150,7 +150,7 @@ export class CoreClient extends EventTarget {
     this.#running = null;
     this.milliseconds[call.method] = milliseconds;
     const { error, result } = unpack(packed);
-    if (error) call.reject(new CoreError(error));
+    if (error) call.reject(new CoreError(/** @type {Failure} */ (error)));
     else {
       if (call.method === "open") this.#opened = id;
       call.resolve(result);

@@ -74,7 +74,8 @@ function answer({ id, method, text, blocks }) {
 
 /** The file that is to be identified once nothing else is asked for. @type {{ id: number, bytes: ArrayBuffer } | null} */
 let unidentified = null;
-let waiting = 0;
+/** @type {ReturnType<typeof setTimeout> | undefined} */
+let waiting;
 
 /** Hashing takes a core for a while: the first picture and the first numbers come before. */
 function identifySoon() {

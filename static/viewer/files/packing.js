@@ -1,11 +1,15 @@
 /**
  * Reads what `hexalab.packing` writes: "HXB1", the header's length, a JSON header in which arrays are
  * {dtype, shape, offset}, then the arrays, little-endian, offsets counted from the header's end.
+ *
+ * @typedef {Float64Array | Float32Array | Int32Array | Uint32Array | Int16Array | Uint16Array | Int8Array | Uint8Array} TypedArray
+ *
+ * @typedef {{ [name: string]: unknown }} PackedRecord of null, booleans, numbers, texts, typed arrays, lists and records
  */
 
 const MAGIC = "HXB1";
 
-/** @type {Record<string, any>} */
+/** @type {Record<string, new (buffer: ArrayBuffer, offset: number, length: number) => TypedArray>} */
 const ARRAYS = {
   float64: Float64Array,
   float32: Float32Array,
@@ -18,25 +22,32 @@ const ARRAYS = {
   bool: Uint8Array,
 };
 
-/** @param {ArrayBuffer} buffer @returns {any} */
+/** @param {ArrayBuffer} buffer @returns {PackedRecord} whoever asked for it says what it must hold, by a cast */
 export function unpack(buffer) {
   const magic = buffer.byteLength < 8 ? "" : new TextDecoder().decode(new Uint8Array(buffer, 0, 4));
   if (magic !== MAGIC)
     throw new Error(`found ${JSON.stringify(magic)} at the start of a packed file, expected ${MAGIC}`);
   const length = new DataView(buffer).getUint32(4, true);
   const header = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 8, length)));
-  return filled(header, buffer, 8 + length);
+  return /** @type {PackedRecord} */ (filled(header, buffer, 8 + length));
 }
 
-/** @param {any} value @param {ArrayBuffer} buffer @param {number} base @returns {any} */
+/** @param {unknown} value @param {ArrayBuffer} buffer @param {number} base @returns {unknown} */
 function filled(value, buffer, base) {
   if (Array.isArray(value)) return value.map((one) => filled(one, buffer, base));
   if (typeof value !== "object" || value === null) return value;
-  if ("dtype" in value && "offset" in value && "shape" in value) return arrayAt(value, buffer, base);
+  if (describesArray(value)) return arrayAt(value, buffer, base);
   return Object.fromEntries(Object.entries(value).map(([key, one]) => [key, filled(one, buffer, base)]));
 }
 
-/** @param {{ dtype: string, shape: number[], offset: number }} row @param {ArrayBuffer} buffer @param {number} base */
+/** @param {object} value @returns {value is ArrayRow} */
+function describesArray(value) {
+  return "dtype" in value && "offset" in value && "shape" in value;
+}
+
+/** @typedef {{ dtype: string, shape: number[], offset: number }} ArrayRow */
+
+/** @param {ArrayRow} row @param {ArrayBuffer} buffer @param {number} base */
 function arrayAt({ dtype, shape, offset }, buffer, base) {
   const type = ARRAYS[dtype];
   if (!type)

@@ -77,7 +77,7 @@ export class Tools {
       this.#looking = true;
       requestAnimationFrame(() => {
         this.#looking = false;
-        this.#pick();
+        void this.#pick();
       });
     }
   }

@@ -17,11 +17,28 @@ const GROWTH = 3;
 const GROWTH_SLOW = 8;
 
 /**
+ * @typedef {"none" | "direct" | "screen_space_ao" | "object_space_ao"} LightingMode
+ *
+ * @typedef {object} LitLayer the surface as it is drawn, to be lit
+ * @property {import("../geometry/records.js").Surface | null} surface
+ * @property {{ geometry: import("three").BufferGeometry }} mesh
+ * @property {number} edge mean side of a face
+ * @property {LightingMode} lighting
+ * @property {(share: number, texture: import("three").Texture | null) => void} setOcclusion
+ * @property {LitUniforms} uniforms
+ *
+ * @typedef {object} LitUniforms
+ * @property {{ value: number }} screenShare of the screen-space term in the light
+ * @property {{ value: import("three").Texture }} screenOpenness
+ * @property {{ value: import("three").Vector2 }} screenScale
+ */
+
+/**
  * Chooses and feeds the light of the surface: which terms are gathered, when, and how they are mixed in its shader.
  */
 export class Lighting {
   object;
-  /** @type {import("../scene/types.js").LightingMode} */
+  /** @type {LightingMode} */
   mode = "object_space_ao";
   #screen;
   #budget;
@@ -32,10 +49,7 @@ export class Lighting {
   #covering = false;
   #view = "";
 
-  /**
-   * @param {import("three").WebGLRenderer} renderer
-   * @param {import("../scene/layers/surface_layer.js").SurfaceLayer} layer
-   */
+  /** @param {import("three").WebGLRenderer} renderer @param {LitLayer} layer */
   constructor(renderer, layer) {
     this.object = new ObjectSpaceAO(renderer);
     this.#screen = new ScreenSpaceAO(renderer);

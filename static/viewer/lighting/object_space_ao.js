@@ -32,7 +32,7 @@ export class ObjectSpaceAO {
   #atlas = null;
   /** @type {import("three").BufferGeometry | null} */
   #geometry = null;
-  /** @type {import("../scene/types.js").Surface | null} */
+  /** @type {import("../geometry/records.js").Surface | null} */
   #surface = null;
   /** @type {ReturnType<typeof gatheringPoints> | null} */
   #points = null;
@@ -67,7 +67,7 @@ export class ObjectSpaceAO {
   }
 
   /**
-   * @param {import("../scene/types.js").Surface | null} surface
+   * @param {import("../geometry/records.js").Surface | null} surface
    * @param {import("three").BufferGeometry} geometry
    */
   setSurface(surface, geometry) {
@@ -88,7 +88,7 @@ export class ObjectSpaceAO {
   }
 
   #prepare() {
-    const surface = /** @type {import("../scene/types.js").Surface} */ (this.#surface);
+    const surface = /** @type {import("../geometry/records.js").Surface} */ (this.#surface);
     const plates = surface.mode === "rounded" ? platesOf(surface) : null;
     this.#points = gatheringPoints(surface, plates);
     const { box } = this.#points;
@@ -152,7 +152,7 @@ export class ObjectSpaceAO {
   /** Openness of every drawn vertex, read back: for tests only. @returns {Float32Array} */
   read() {
     const points = /** @type {ReturnType<typeof gatheringPoints>} */ (this.#points);
-    const surface = /** @type {import("../scene/types.js").Surface} */ (this.#surface);
+    const surface = /** @type {import("../geometry/records.js").Surface} */ (this.#surface);
     return openness(this.#gatherer.read(this.#renderer, points.rows), surface.positions.length / 3);
   }
 
@@ -169,7 +169,7 @@ export class ObjectSpaceAO {
  *
  * @param {Float64Array} box extent of the surface
  * @param {number} edge mean side of a face
- * @param {import("../scene/types.js").Surface} surface
+ * @param {import("../geometry/records.js").Surface} surface
  * @returns {number}
  */
 function tileSide(box, edge, { mode, faces }) {

@@ -29,7 +29,7 @@ const REACH = 0.75;
  * A whole face of n corners is a run of quads of one tag: at each corner a quad that begins with the corner's tip and has the
  * flat part's corner third, followed by a strip, and last the flat part. Runs of other make are walls of grooves.
  *
- * @param {import("../scene/types.js").Surface} surface in rounded mode
+ * @param {import("../geometry/records.js").Surface} surface in rounded mode
  * @returns {Plates}
  */
 export function platesOf({ positions, quads, faces }) {

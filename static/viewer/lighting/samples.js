@@ -12,7 +12,7 @@ export const PULL = 0.15;
  * inside the face, where it has: towards the middle of the diagonal that the face is cut at, so that it stays on the surface
  * where the face is not plane. A smooth vertex gathers light where it stands.
  *
- * @param {import("../scene/types.js").Surface} surface
+ * @param {import("../geometry/records.js").Surface} surface
  * @param {import("./plates.js").Plates | null} plates of a rounded surface: where its vertices gather, and what share
  * @returns {{ words: Uint32Array, rows: number, box: Float64Array }} box: extent
  */

@@ -1,33 +1,36 @@
 /**
  * Listeners by event name.
  *
+ * @template {object} Events what listeners of each event are told
  * @example
  * const off = emitter.on("camera", (camera) => store.set({ camera }));
  */
 export class Emitter {
-  /** @type {Map<string, Set<(detail: any) => void>>} */
-  #listeners = new Map();
+  /** @type {{ [Name in keyof Events]?: Set<(detail: Events[Name]) => void> }} */
+  #listeners = {};
 
   /**
-   * @param {string} name
-   * @param {(detail: any) => void} listener
+   * @template {keyof Events} Name
+   * @param {Name} name
+   * @param {(detail: Events[Name]) => void} listener
    * @returns {() => void} takes the listener off again
    */
   on(name, listener) {
-    const set = this.#listeners.get(name) ?? new Set();
-    this.#listeners.set(name, set.add(listener));
-    return () => set.delete(listener);
+    const listeners = (this.#listeners[name] ??= new Set());
+    listeners.add(listener);
+    return () => void listeners.delete(listener);
   }
 
   /**
-   * @param {string} name
-   * @param {any} [detail]
+   * @template {keyof Events} Name
+   * @param {Name} name
+   * @param {Events[Name]} detail
    */
   emit(name, detail) {
-    for (const listener of [...(this.#listeners.get(name) ?? [])]) listener(detail);
+    for (const listener of [...(this.#listeners[name] ?? [])]) listener(detail);
   }
 
   clear() {
-    this.#listeners.clear();
+    this.#listeners = {};
   }
 }

@@ -1,44 +1,12 @@
 /**
  * The shapes of what the scene is given. Lengths are in diagonals of the mesh, whose extent's centre is the origin.
  *
- * @typedef {object} MeshFrame
- * @property {number[][]} [extent] two corners in the file's unit
- * @property {number[]} [centre]
- * @property {number} [diagonal]
- * @property {number} cells number of cells of the whole mesh
- *
- * @typedef {"lines" | "darkness_coded_edges" | "fissure" | "rounded"} SeparationMode
- *
- * @typedef {object} Surface
- * @property {SeparationMode} mode
- * @property {Float32Array} positions 3 per vertex
- * @property {Int16Array} normals 4 per vertex, signed normalised, the fourth 0
- * @property {Uint32Array} cells 1 per vertex
- * @property {Uint8Array} inside 1 per vertex, 0 outside, 255 inside
- * @property {Uint32Array | null} quads 4 per face, or null where vertices stand four by four
- * @property {Uint32Array} faces 1 per face: cell * 8 + local face
- * @property {Float32Array} edges 6 per line
- * @property {Uint8Array} edge_cells 1 per line, or empty
- *
- * @typedef {object} Silhouette
- * @property {Float32Array} positions
- * @property {Int16Array} normals
- *
- * @typedef {object} Irregular
- * @property {Float32Array} edges
- * @property {Uint8Array} valence
- * @property {Uint8Array} boundary
- * @property {Float32Array} barbs
- * @property {Uint8Array} barb_valence
- * @property {Uint8Array} barb_boundary
- * @property {Float32Array} paper
- * @property {Uint8Array} paper_valence
- * @property {Uint8Array} paper_boundary interior ones stand first in every list
+ * @typedef {import("../state/vectors.js").Vector} Vector
  *
  * @typedef {object} CameraStatus
- * @property {number[]} target
- * @property {number[]} direction
- * @property {number[]} up
+ * @property {Vector} target
+ * @property {Vector} direction
+ * @property {Vector} up
  * @property {number} distance
  * @property {"perspective" | "orthographic"} projection
  * @property {number} field_of_view degrees, of the height
@@ -55,15 +23,14 @@
  * @property {Partial<ColourStatus>} [colour]
  * @property {number} [silhouette]
  * @property {{ mode?: number, boundary?: boolean }} [irregular]
- * @property {{ mode?: LightingMode }} [lighting]
+ * @property {{ mode?: import("../lighting/lighting.js").LightingMode }} [lighting]
  * @property {string} [background]
  *
- * @typedef {"none" | "direct" | "screen_space_ao" | "object_space_ao"} LightingMode
- *
  * @typedef {object} Plane
- * @property {number[]} normal
+ * @property {Vector} normal
  * @property {number} offset from 0 to 1 over the extent
- * @property {number[]} [extent] least and greatest distance from the origin along the normal, in diagonals; the mesh's box
+ * @property {readonly number[]} [extent] least and greatest distance from the origin along the normal, in diagonals; the
+ *   mesh's box
  */
 
 export {};

@@ -11,6 +11,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from hexalab.status import DEFAULTS
+
 image = pytest.importorskip("PIL.Image")
 
 HERE = Path(__file__).parent
@@ -27,7 +29,8 @@ class Stage:
         page.on("pageerror", lambda error: self.messages.append(str(error)))
 
     def start(self, width: int = 400, height: int = 300, ratio: float = 1) -> None:
-        self.page.evaluate("([w, h, r]) => start(w, h, r)", [width, height, ratio])
+        options = [width, height, ratio, DEFAULTS["camera"]]
+        self.page.evaluate("([w, h, r, camera]) => start(w, h, r, camera)", options)
 
     def call(self, method: str, *arguments: Any) -> Any:
         from .grids import pack

@@ -3,32 +3,45 @@ import { Scene } from "../../../static/viewer/scene/scene.js";
 
 const TYPES = { f32: Float32Array, i16: Int16Array, u32: Uint32Array, u8: Uint8Array };
 
-/** @param {any} value */
+/** @typedef {{ base64: string, type: keyof typeof TYPES }} Array64 */
+
+/** @param {unknown} value @returns {unknown} */
 function unpack(value) {
   if (Array.isArray(value) || value === null || typeof value !== "object") return value;
-  if (typeof value.base64 === "string") {
-    const bytes = Uint8Array.from(atob(value.base64), (c) => c.charCodeAt(0));
-    return new TYPES[value.type](bytes.buffer);
+  if ("base64" in value) {
+    const { base64, type } = /** @type {Array64} */ (value);
+    const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+    return new TYPES[type](bytes.buffer);
   }
   return Object.fromEntries(Object.entries(value).map(([key, inner]) => [key, unpack(inner)]));
 }
 
-const page = /** @type {any} */ (window);
-page.unpack = unpack;
-page.errors = [];
-window.addEventListener("error", (event) => page.errors.push(event.message));
-page.start = (width, height, pixelRatio = 1) => {
-  page.scene?.dispose();
-  document.querySelector("canvas")?.remove();
-  const canvas = document.createElement("canvas");
-  canvas.style.width = `${width}px`;
-  canvas.style.height = `${height}px`;
-  document.body.append(canvas);
-  page.scene = new Scene(canvas);
-  page.scene.resize(width, height, pixelRatio);
-};
-page.next = (frames = 1) =>
-  new Promise((done) => {
-    const turn = (left) => (left === 0 ? done(undefined) : requestAnimationFrame(() => turn(left - 1)));
-    turn(frames);
-  });
+/** @type {Scene | undefined} */
+let scene;
+
+Object.assign(window, {
+  unpack,
+  /**
+   * @param {number} width CSS pixels
+   * @param {number} height
+   * @param {number} pixelRatio
+   * @param {import("../../../static/viewer/scene/types.js").CameraStatus} camera
+   */
+  start: (width, height, pixelRatio, camera) => {
+    scene?.dispose();
+    document.querySelector("canvas")?.remove();
+    const canvas = document.createElement("canvas");
+    canvas.style.width = `${width}px`;
+    canvas.style.height = `${height}px`;
+    document.body.append(canvas);
+    scene = new Scene(canvas, camera);
+    scene.resize(width, height, pixelRatio);
+    Object.assign(window, { scene });
+  },
+  next: (frames = 1) =>
+    new Promise((done) => {
+      const turn = (/** @type {number} */ left) =>
+        left === 0 ? done(undefined) : requestAnimationFrame(() => turn(left - 1));
+      turn(frames);
+    }),
+});

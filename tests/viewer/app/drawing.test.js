@@ -146,6 +146,6 @@ test("P2: the core is told what has changed since it was told last, and all afte
   store.set({ filters: { planes: { items: [2] } } });
   assert.deepEqual(calls[3].changed, whole());
   drawing.begin();
-  drawing.update();
+  void drawing.update();
   assert.deepEqual(calls[4].changed, whole());
 });

@@ -27,6 +27,7 @@ test("B1: what stands beside a mesh has its name without the extension", () => {
 });
 
 test("B1: the table has every column that any row has, and quotes what needs it", () => {
+  /** @type {import("../../../static/viewer/batch/batch.js").Row[]} */
   const rows = [
     { name: 'a "b", c', cells: 3 },
     { name: "d", problem: "line 1:\nfound" },

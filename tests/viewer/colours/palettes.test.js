@@ -3,7 +3,7 @@ import { test } from "node:test";
 
 import { PALETTES, paletteBytes, paletteColour } from "../../../static/viewer/colours/palettes.js";
 
-const hex = (map, t) =>
+const hex = (/** @type {string} */ map, /** @type {number} */ t) =>
   `#${paletteColour(map, t)
     .map((c) =>
       Math.round(255 * c)
@@ -24,13 +24,13 @@ test("Q5: the four maps begin with the best colour and end with the worst", () =
 });
 
 test("Q5: parula and viridis grow lighter all the way, by the eye's measure", () => {
-  const lightness = ([r, g, b]) => {
+  const lightness = (/** @type {readonly number[]} */ [r, g, b]) => {
     const [x, y, z] = [r, g, b].map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
     return 116 * Math.cbrt(0.2126 * x + 0.7152 * y + 0.0722 * z) - 16;
   };
   const last = { parula: -1, viridis: -1 };
   for (let k = 0; k <= 64; k++) {
-    for (const map of ["parula", "viridis"]) {
+    for (const map of /** @type {const} */ (["parula", "viridis"])) {
       const now = lightness(paletteColour(map, k / 64));
       assert.ok(now > last[map] - 0.3, `${map} at ${k}/64`);
       last[map] = now;

@@ -44,6 +44,8 @@ function client() {
   return { client: new CoreClient(transport), workers, worker: workers[0] };
 }
 
+/** @param {Event} event */
+const detailOf = (event) => /** @type {CustomEvent} */ (event).detail;
 /** @param {ManualWorker} worker */
 const boot = (worker) => worker.reply({ ready: { interpreter: 1, core: 1 } });
 /** @param {ManualWorker} worker */
@@ -95,6 +97,7 @@ test("V9 a worker that dies is replaced; calls under way are rejected and the pa
   const { client: core, workers, worker } = client();
   boot(worker);
   await core.ready;
+  /** @type {string[]} */
   const told = [];
   for (const name of ["died", "restarted"]) core.addEventListener(name, () => told.push(name));
   const lost = core.call("open", ["a.mesh", new ArrayBuffer(1)]);
@@ -116,17 +119,18 @@ test("a core that can't start rejects `ready` and every call", async () => {
   const { client: core, worker } = client();
   const call = core.call("validity");
   worker.reply({ failed: { kind: "TypeError", message: "no WebAssembly" } });
-  await assert.rejects(core.ready, { message: "no WebAssembly" });
+  await assert.rejects(/** @type {Promise<unknown>} */ (core.ready), { message: "no WebAssembly" });
   await assert.rejects(call, { message: "no WebAssembly" });
 });
 
 test("events tell when the core is busy, idle, and which file was opened", async () => {
   const { client: core, worker } = client();
   boot(worker);
+  /** @type {string[]} */
   const told = [];
-  core.addEventListener("busy", (event) => told.push(event.detail.method));
+  core.addEventListener("busy", (event) => told.push(detailOf(event).method));
   core.addEventListener("idle", () => told.push("idle"));
-  core.addEventListener("identified", (event) => told.push(event.detail.sha256));
+  core.addEventListener("identified", (event) => told.push(detailOf(event).sha256));
   const call = core.call("open", ["a.mesh", new ArrayBuffer(1)]);
   worker.answer(1, {});
   worker.reply({ id: 1, sha256: "ab" });
@@ -137,8 +141,9 @@ test("events tell when the core is busy, idle, and which file was opened", async
 test("a file that could not be read, or was followed by another, does not name the open mesh", async () => {
   const { client: core, worker } = client();
   boot(worker);
+  /** @type {string[]} */
   const told = [];
-  core.addEventListener("identified", (event) => told.push(event.detail.sha256));
+  core.addEventListener("identified", (event) => told.push(detailOf(event).sha256));
   const calls = [1, 2, 3].map((id) => core.call("open", [`${id}.mesh`, new ArrayBuffer(1)]));
   worker.answer(1, {});
   worker.answer(2, {});

@@ -11,6 +11,8 @@ const PYTHON =
   [join(ROOT, ".venv/bin/python"), "python3"].find((path) => path === "python3" || existsSync(path)) ??
   "python3";
 
+/** @typedef {import("../../../static/viewer/geometry/records.js").Surface} Surface */
+
 /** What `hexalab.packing` writes. @param {string} expression @returns {ArrayBuffer} */
 function packed(expression) {
   const program = `import sys, numpy as np\nfrom hexalab.packing import pack\nsys.stdout.buffer.write(pack(${expression}))`;
@@ -22,10 +24,12 @@ function packed(expression) {
 }
 
 test("O2: what the core packs is read back, arrays of every kind in their places", () => {
-  const found = unpack(
-    packed(
-      '{"summary": {"name": "grösse", "cells": 3}, "surface": {"mode": "lines", "positions": np.arange(6, dtype=np.float32), "normals": np.array([-1, 7], dtype=np.int16), "cells": np.array([1, 2**32 - 1], dtype=np.uint32), "inside": np.array([0, 255, 3], dtype=np.uint8), "quads": None}}',
-    ),
+  const found = /** @type {{ summary: object, surface: Surface }} */ (
+    unpack(
+      packed(
+        '{"summary": {"name": "grösse", "cells": 3}, "surface": {"mode": "lines", "positions": np.arange(6, dtype=np.float32), "normals": np.array([-1, 7], dtype=np.int16), "cells": np.array([1, 2**32 - 1], dtype=np.uint32), "inside": np.array([0, 255, 3], dtype=np.uint8), "quads": None}}',
+      ),
+    )
   );
   assert.deepEqual(found.summary, { name: "grösse", cells: 3 });
   assert.deepEqual(found.surface.positions, Float32Array.of(0, 1, 2, 3, 4, 5));

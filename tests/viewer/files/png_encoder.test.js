@@ -4,11 +4,11 @@ import { crc32, inflateSync } from "node:zlib";
 
 import { encodePng } from "../../../static/viewer/files/png_encoder.js";
 
-/** Pixels of a PNG of 8-bit RGBA whose rows are filtered by nothing or by the row above. */
+/** Pixels of a PNG of 8-bit RGBA whose rows are filtered by nothing or by the row above. @param {Uint8Array} bytes */
 function decode(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset);
   const parts = [];
-  let size;
+  let size = [0, 0];
   for (let at = 8; at < bytes.length; ) {
     const length = view.getUint32(at);
     const type = String.fromCharCode(...bytes.subarray(at + 4, at + 8));

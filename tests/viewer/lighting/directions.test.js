@@ -3,7 +3,7 @@ import { test } from "node:test";
 
 import { DIRECTIONS, directions } from "../../../static/viewer/lighting/directions.js";
 
-/** A mulberry generator: numbers from 0 to 1, the same on every run. */
+/** A mulberry generator: numbers from 0 to 1, the same on every run. @param {number} seed */
 function random(seed) {
   return () => {
     seed = (seed + 0x6d2b79f5) | 0;
@@ -13,7 +13,12 @@ function random(seed) {
   };
 }
 
-/** Root mean square difference, over random caps of the sphere, between the share of points in the cap and its share of the area. */
+/**
+ * Root mean square difference, over random caps of the sphere, between the share of points in the cap and its share of the area.
+ *
+ * @param {Float64Array} points
+ * @param {number} count of them, from the first
+ */
 function discrepancy(points, count) {
   const next = random(7);
   let squares = 0;

@@ -5,7 +5,7 @@ import { lightView } from "../../../static/viewer/lighting/light_view.js";
 import { gatheringPoints, packNormal } from "../../../static/viewer/lighting/samples.js";
 import { vertexRows, vertexTexel } from "../../../static/viewer/geometry/texel.js";
 
-/** GLSL's unpackSnorm2x16 and the octahedral mapping undone. */
+/** GLSL's unpackSnorm2x16 and the octahedral mapping undone. @param {number} word */
 function unpackNormal(word) {
   const [u, v] = [(word << 16) >> 16, word >> 16].map((half) => Math.max(-1, half / 32767));
   const n = [u, v, 1 - Math.abs(u) - Math.abs(v)];
@@ -27,7 +27,8 @@ test("V5: normals survive packing into 32 bits, the folds of the octahedron incl
     [0.48, -0.6, -0.64],
     [-0.36, -0.48, 0.8],
   ]) {
-    const back = unpackNormal(packNormal(...n.map((c) => c * 32767)));
+    const [x, y, z] = n.map((c) => c * 32767);
+    const back = unpackNormal(packNormal(x, y, z));
     n.forEach((c, k) => assert.ok(Math.abs(c - back[k]) < 2e-4, `${n} ${back}`));
   }
 });
@@ -56,7 +57,8 @@ test("V5: the view from a direction holds the box, nearer to the light being nea
     [-0.48, 0.6, 0.64],
   ]) {
     const { x, y, z } = lightView(d, box, 0.01);
-    const dot = (row, p) => row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3];
+    const dot = (/** @type {readonly number[]} */ row, /** @type {readonly number[]} */ p) =>
+      row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3];
     for (let corner = 0; corner < 8; corner++) {
       const p = [0, 1, 2].map((c) => box[c + 3 * ((corner >> c) & 1)]);
       for (const row of [x, y]) assert.ok(Math.abs(dot(row, p)) <= 0.98 + 1e-9);
@@ -69,6 +71,7 @@ test("V5: the view from a direction holds the box, nearer to the light being nea
 });
 
 test("V5: a flat face's corners gather inside the face, on its surface", () => {
+  /** @type {import("../../../static/viewer/geometry/records.js").Surface} */
   const surface = {
     mode: "lines",
     positions: new Float32Array([0, 0, 0, 1, 0, 0, 1, 1, 0.5, 0, 1, 0]),

@@ -11,6 +11,7 @@ test("V6: every named view has a unit direction and a unit up across it", () => 
 });
 
 test("V7: flying to a cell puts it in the middle, larger the nearer, and keeps the direction", () => {
+  /** @type {import("../../../static/viewer/state/camera.js").Camera} */
   const camera = {
     target: [0, 0, 0],
     direction: [0, 0, -1],
@@ -19,7 +20,7 @@ test("V7: flying to a cell puts it in the middle, larger the nearer, and keeps t
     projection: "perspective",
     field_of_view: 30,
   };
-  const seen = cameraOnCell(/** @type {any} */ (camera), { centre: [0.1, 0.2, 0.3], size: 0.02 });
+  const seen = cameraOnCell(camera, { centre: [0.1, 0.2, 0.3], size: 0.02 });
   assert.deepEqual(seen.target, [0.1, 0.2, 0.3]);
   const share = 0.02 / (2 * seen.distance * Math.tan((15 * Math.PI) / 180));
   assert.ok(share > 0.1 && share < 0.5, `the cell takes ${share} of the height`);

@@ -14,7 +14,7 @@ function random(seed) {
 
 /** A document of one fixed shape with random leaves. @param {() => number} next */
 function documentOf(next) {
-  const pick = (/** @type {any[]} */ list) => list[Math.floor(next() * list.length)];
+  const pick = (/** @type {readonly unknown[]} */ list) => list[Math.floor(next() * list.length)];
   return {
     a: pick([0, 1, null]),
     b: { c: pick(["x", "y"]), d: pick([[], [1], [1, 2]]) },

@@ -46,11 +46,11 @@ test("F1: that holds for a normal of any direction and length, with shift and wi
     [90, false],
   ])) {
     const angle = (degrees * Math.PI) / 180;
-    const view = plane.normal.map(
+    const [x, y, z] = plane.normal.map(
       (part, axis) => -((Math.cos(angle) * part) / length + Math.sin(angle) * sideways[axis]),
     );
     for (const snap of [false, true]) {
-      const found = fromView(plane, /** @type {any} */ (view), snap);
+      const found = fromView(plane, [x, y, z], snap);
       const inverted = { enabled: true, normal: [-1, -2, 0.5], offset: 0.75 };
       if (inverts) assert.deepEqual(found, inverted);
       else assert.notDeepEqual(found, inverted);

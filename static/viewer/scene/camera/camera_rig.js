@@ -6,32 +6,27 @@ const SCENE_RADIUS = 0.52;
 const EYE = new Vector3();
 const MATRIX = new Matrix4();
 
-/** @returns {import("../types.js").CameraStatus} */
-export function defaultCamera() {
-  return {
-    target: [0, 0, 0],
-    direction: [0, 0, -1],
-    up: [0, 1, 0],
-    distance: 1.5,
-    projection: "perspective",
-    field_of_view: 30,
-  };
-}
-
 /**
  * Where the eye is: target, orientation as a quaternion (so that no direction is special), distance, projection.
  */
 export class CameraRig {
   target = new Vector3();
   orientation = new Quaternion();
-  distance = 1.5;
-  fieldOfView = 30;
-  /** @type {"perspective" | "orthographic"} */
-  projection = "perspective";
+  distance;
+  fieldOfView;
+  projection;
   aspect = 1;
 
   #perspective = new PerspectiveCamera();
   #orthographic = new OrthographicCamera();
+
+  /** @param {import("../types.js").CameraStatus} camera the first one */
+  constructor(camera) {
+    this.distance = camera.distance;
+    this.fieldOfView = camera.field_of_view;
+    this.projection = camera.projection;
+    this.set(camera);
+  }
 
   /** @returns {PerspectiveCamera | OrthographicCamera} the camera three draws with */
   get camera() {
@@ -87,8 +82,8 @@ export class CameraRig {
   }
 
   /**
-   * @param {number[]} direction
-   * @param {number[]} up
+   * @param {import("../types.js").Vector} direction
+   * @param {import("../types.js").Vector} up
    */
   #look(direction, up) {
     const back = new Vector3().fromArray(direction).negate();

@@ -22,5 +22,6 @@ export function copy(renderer, source, target, { width, height }) {
 
 /** @param {import("three").WebGLRenderer} renderer @param {import("three").WebGLRenderTarget} target @returns {WebGLFramebuffer} */
 function framebufferOf(renderer, target) {
-  return /** @type {any} */ (renderer.properties.get(target)).__webglFramebuffer;
+  const kept = /** @type {{ __webglFramebuffer: WebGLFramebuffer }} */ (renderer.properties.get(target));
+  return kept.__webglFramebuffer;
 }

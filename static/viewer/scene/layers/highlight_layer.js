@@ -19,7 +19,7 @@ export class HighlightLayer {
   }
 
   /**
-   * @param {import("../types.js").Surface | null} surface
+   * @param {import("../../geometry/records.js").Surface | null} surface
    * @param {number | null} face tag: cell * 8 + local face
    * @returns {boolean} whether the picture changes
    */
@@ -50,7 +50,7 @@ export class HighlightLayer {
 /**
  * Triangles of a face, and those of its quads' sides that only one quad has.
  *
- * @param {import("../types.js").Surface} surface
+ * @param {import("../../geometry/records.js").Surface} surface
  * @param {number} face
  * @returns {{ triangles: number[], rim: number[] }} coordinates
  */

@@ -19,7 +19,7 @@ const STEPS = [
 
 const INK = VALENCE_STYLES.map(() => ({ colour: "#000000", ink: 1 }));
 
-/** @type {import("../types.js").Irregular} */
+/** @type {import("../../geometry/records.js").Irregular} */
 const NOTHING = {
   edges: new Float32Array(0),
   valence: new Uint8Array(0),
@@ -30,6 +30,7 @@ const NOTHING = {
   paper: new Float32Array(0),
   paper_valence: new Uint8Array(0),
   paper_boundary: new Uint8Array(0),
+  counts: {},
 };
 
 /**
@@ -43,7 +44,7 @@ export class IrregularLayer {
   #paper = pair((seeThrough) => new PaperLayer({ seeThrough }));
   #mode = 1;
   #boundary = false;
-  /** @type {import("../types.js").Irregular | null} */
+  /** @type {import("../../geometry/records.js").Irregular | null} */
   #irregular = null;
 
   constructor() {
@@ -55,7 +56,7 @@ export class IrregularLayer {
     for (const fold of this.#folds) fold.width = 1.5;
   }
 
-  /** @param {import("../types.js").Irregular | null} irregular */
+  /** @param {import("../../geometry/records.js").Irregular | null} irregular */
   set(irregular) {
     this.#irregular = irregular;
     const rows = (/** @type {Uint8Array} */ boundary) =>

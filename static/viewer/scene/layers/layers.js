@@ -56,14 +56,14 @@ export class Layers {
     painter.overlay.add(this.plane.group, this.highlight.group);
   }
 
-  /** @param {import("../types.js").Surface | null} surface */
+  /** @param {import("../../geometry/records.js").Surface | null} surface */
   setSurface(surface) {
     this.surface.set(surface);
     this.#edged = false;
     this.highlight.set(surface, null);
   }
 
-  /** @param {import("../types.js").Silhouette | null} silhouette */
+  /** @param {import("../../geometry/records.js").Silhouette | null} silhouette */
   setSilhouette(silhouette) {
     this.silhouette.set(silhouette);
     this.#painter.renewBackdrop();
@@ -110,6 +110,18 @@ export class Layers {
   /** Edges of the surface. @returns {number} */
   get edgeCount() {
     return (this.surface.surface?.edges?.length ?? 0) / 6;
+  }
+
+  /** What of the surface is drawn. @returns {import("../scene_like.js").DrawnCounts} */
+  get counts() {
+    const { surface } = this.surface;
+    if (!surface) return { faces: 0, triangles: 0, edges: 0, cells: 0 };
+    return {
+      faces: surface.faces.length,
+      triangles: 2 * surface.faces.length,
+      edges: this.edgeCount,
+      cells: new Set(surface.cells).size,
+    };
   }
 
   /** @param {Parameters<LinesLayer["view"]>[0] & { draft: boolean, outside: boolean }} view outside: so stands the eye */

@@ -1,8 +1,8 @@
 /**
  * Extent of the mesh's box along a direction, in drawing coordinates.
  *
- * @param {import("../types.js").MeshFrame} mesh
- * @param {number[]} normal any length but 0
+ * @param {import("../../geometry/records.js").MeshFrame} mesh
+ * @param {readonly number[]} normal any length but 0
  * @returns {[number, number]}
  */
 export function planeExtent({ extent, diagonal }, normal) {

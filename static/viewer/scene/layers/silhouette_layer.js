@@ -113,7 +113,7 @@ export class SilhouetteLayer {
     this.set(null);
   }
 
-  /** @param {import("../types.js").Silhouette | null} silhouette */
+  /** @param {import("../../geometry/records.js").Silhouette | null} silhouette */
   set(silhouette) {
     this.#geometry.setIndex(null); // shared with the surface
     this.#geometry.dispose();

@@ -30,7 +30,7 @@ const LIGHTING = { none: 0, direct: 1, screen_space_ao: 2, object_space_ao: 3 };
  */
 export class SurfaceLayer {
   mesh;
-  /** @type {import("../types.js").Surface | null} */
+  /** @type {import("../../geometry/records.js").Surface | null} */
   surface = null;
   /** Mean side of a face. */
   edge = 1;
@@ -86,7 +86,7 @@ export class SurfaceLayer {
     this.mesh.visible = false;
   }
 
-  /** @param {import("../types.js").Surface | null} surface */
+  /** @param {import("../../geometry/records.js").Surface | null} surface */
   set(surface) {
     const old = this.mesh.geometry;
     old.setIndex(null); // the shared index must outlive this geometry
@@ -123,7 +123,7 @@ export class SurfaceLayer {
     this.#whole.side = this.#draft.side = fronts ? FrontSide : DoubleSide;
   }
 
-  /** @param {import("../types.js").LightingMode} mode */
+  /** @param {import("../../lighting/lighting.js").LightingMode} mode */
   set lighting(mode) {
     this.uniforms.lighting.value = LIGHTING[mode] ?? 1;
   }
@@ -154,7 +154,7 @@ export class SurfaceLayer {
   }
 }
 
-/** Sets the spare fourth number of a triangle's normals, by which the draft knows it. @param {import("../types.js").Surface} surface */
+/** Sets the spare fourth number of a triangle's normals, by which the draft knows it. @param {import("../../geometry/records.js").Surface} surface */
 function markTriangles({ positions, normals, faces }) {
   for (let face = 0; face < faces.length; face++)
     if (isTriangle(positions, 12 * face)) for (let k = 0; k < 4; k++) normals[16 * face + 4 * k + 3] = 32767;

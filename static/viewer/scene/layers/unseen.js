@@ -1,7 +1,7 @@
 /**
- * A surface of one face that stands behind the eye of the first camera.
+ * A surface of one face that stands behind an eye at the origin, which looks along -z.
  *
- * @type {import("../types.js").Surface}
+ * @type {import("../../geometry/records.js").Surface}
  */
 export const UNSEEN = {
   mode: "lines",

@@ -2,13 +2,17 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Vector3 } from "three";
 
-import { CameraRig, defaultCamera } from "../../../../static/viewer/scene/camera/camera_rig.js";
+import { CameraRig } from "../../../../static/viewer/scene/camera/camera_rig.js";
+import { FRONT } from "./front.js";
 
-const near = (a, b, tolerance = 1e-9) =>
+const PROJECTIONS = /** @type {const} */ (["perspective", "orthographic"]);
+
+const near = (/** @type {readonly number[]} */ a, /** @type {readonly number[]} */ b, tolerance = 1e-9) =>
   a.forEach((value, k) => assert.ok(Math.abs(value - b[k]) < tolerance, `${a} ${b}`));
 
 test("S1: a camera set and read back is the same, and set again changes nothing", () => {
-  const rig = new CameraRig();
+  const rig = new CameraRig(FRONT);
+  /** @type {import("../../../../static/viewer/scene/types.js").CameraStatus} */
   const status = {
     target: [0.1, -0.2, 0.05],
     direction: [-0.48, -0.6, -0.64],
@@ -29,7 +33,7 @@ test("S1: a camera set and read back is the same, and set again changes nothing"
 });
 
 test("V6: looking along up, or nowhere, leaves a camera that stands upright somewhere", () => {
-  const rig = new CameraRig();
+  const rig = new CameraRig(FRONT);
   rig.set({ direction: [0, -1, 0], up: [0, 1, 0] });
   near(rig.status.direction, [0, -1, 0]);
   assert.ok(Math.abs(new Vector3(...rig.status.up).length() - 1) < 1e-9);
@@ -39,10 +43,10 @@ test("V6: looking along up, or nowhere, leaves a camera that stands upright some
 });
 
 test("V6: near and far enclose the scene from outside and from within, in both projections", () => {
-  for (const projection of ["perspective", "orthographic"]) {
+  for (const projection of PROJECTIONS) {
     for (const distance of [1.5, 30, 0.6, 0.05, 0.001]) {
-      const rig = new CameraRig();
-      rig.set({ ...defaultCamera(), distance, projection });
+      const rig = new CameraRig(FRONT);
+      rig.set({ ...FRONT, distance, projection });
       rig.update();
       const { near: front, far } = rig.camera;
       assert.ok(far > front);
@@ -55,10 +59,10 @@ test("V6: near and far enclose the scene from outside and from within, in both p
 });
 
 test("V6: the point under a place of the screen projects back to that place", () => {
-  for (const projection of ["perspective", "orthographic"]) {
-    const rig = new CameraRig();
+  for (const projection of PROJECTIONS) {
+    const rig = new CameraRig(FRONT);
     rig.aspect = 1.6;
-    rig.set({ ...defaultCamera(), direction: [0.3, -0.5, -0.8], projection, target: [0.1, 0, 0] });
+    rig.set({ ...FRONT, direction: [0.3, -0.5, -0.8], projection, target: [0.1, 0, 0] });
     rig.update();
     const place = rig.pointAt(0.3, -0.6).project(rig.camera);
     near([place.x, place.y], [0.3, -0.6], 1e-6);

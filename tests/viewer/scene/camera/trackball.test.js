@@ -5,24 +5,28 @@ import { Vector3 } from "three";
 import { CameraRig } from "../../../../static/viewer/scene/camera/camera_rig.js";
 import { TouchPair } from "../../../../static/viewer/scene/camera/touch_pair.js";
 import { Trackball } from "../../../../static/viewer/scene/camera/trackball.js";
+import { FRONT } from "./front.js";
 
 /** A trackball on a canvas of 800 x 600 that only has a size. */
 function setUp() {
-  const rig = new CameraRig();
+  const rig = new CameraRig(FRONT);
   rig.aspect = 800 / 600;
-  const canvas = {
-    style: {},
-    clientWidth: 800,
-    clientHeight: 600,
-    hasAttribute: () => false,
-    addEventListener() {},
-    getBoundingClientRect: () => ({ left: 0, top: 0 }),
-  };
-  return { rig, ball: new Trackball(canvas, rig, {}) };
+  const canvas = /** @type {HTMLCanvasElement} */ (
+    /** @type {unknown} */ ({
+      style: {},
+      clientWidth: 800,
+      clientHeight: 600,
+      hasAttribute: () => false,
+      addEventListener() {},
+      getBoundingClientRect: () => ({ left: 0, top: 0 }),
+    })
+  );
+  const deaf = { moved() {}, ended() {}, clicked() {}, hovered() {}, centred() {} };
+  return { rig, ball: new Trackball(canvas, rig, deaf) };
 }
 
 test("V6: what stands under the pointer stays there while the wheel zooms", () => {
-  for (const projection of ["perspective", "orthographic"]) {
+  for (const projection of /** @type {const} */ (["perspective", "orthographic"])) {
     const { rig, ball } = setUp();
     rig.set({ projection, direction: [0.2, -0.4, -0.9] });
     const place = rig.pointAt(0.5, 0.25);
@@ -30,15 +34,15 @@ test("V6: what stands under the pointer stays there while the wheel zooms", () =
     rig.update();
     const now = place.clone().project(rig.camera);
     assert.ok(Math.abs(now.x - 0.5) < 1e-6 && Math.abs(now.y - 0.25) < 1e-6, `${now.toArray()}`);
-    assert.ok(Math.abs(rig.distance - 1.5 / 1.8) < 1e-9);
+    assert.ok(Math.abs(rig.distance - FRONT.distance / 1.8) < 1e-9);
   }
 });
 
 test("V6: dragging right turns the model's near side right, dragging down brings its top forward", () => {
   const { rig, ball } = setUp();
-  const towards = (x, y, z) => new Vector3(x, y, z).applyQuaternion(rig.orientation.clone().invert());
   ball.turn(400, 300, 440, 300);
-  assert.ok(towards(0, 0, 1).x > 0.05);
+  const side = new Vector3(0, 0, 1).applyQuaternion(rig.orientation.clone().invert());
+  assert.ok(side.x > 0.05);
   const other = setUp();
   other.ball.turn(400, 300, 400, 340);
   const top = new Vector3(0, 1, 0).applyQuaternion(other.rig.orientation.clone().invert());
@@ -72,8 +76,10 @@ test("V6: two fingers pan, spread and turn", () => {
   assert.equal(pair.move(1, { x: 1, y: 0 }), null);
   assert.equal(pair.add(2, { x: 11, y: 0 }), true);
   const spread = pair.move(2, { x: 21, y: 0 });
+  assert.ok(spread);
   assert.deepEqual([spread.scale, spread.dx, spread.dy, Math.abs(spread.roll)], [2, 5, 0, 0]);
   const turned = pair.move(2, { x: 1, y: -20 });
+  assert.ok(turned);
   assert.ok(Math.abs(turned.roll - Math.PI / 2) < 1e-12);
   pair.remove(1);
   assert.equal(pair.both, false);

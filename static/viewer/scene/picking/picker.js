@@ -14,7 +14,7 @@ import {
   Ray,
   WebGLRenderTarget,
 } from "three";
-import { flatQuadIndex } from "../geometry/quad_index.js";
+import { flatQuadIndex } from "../../geometry/quad_index.js";
 
 const VERTEX = `
 precision highp float;
@@ -53,8 +53,8 @@ export class Picker {
     generateMipmaps: false,
   });
   #answer = new Uint32Array(1);
-  /** @type {import("./types.js").Surface | null} */
-  #surface = null;
+  /** @type {import("../../geometry/records.js").Surface | null} */
+  surface = null;
   #ready = false;
 
   /** @param {import("three").WebGLRenderer} renderer */
@@ -73,15 +73,15 @@ export class Picker {
     this.scene.matrixWorldAutoUpdate = false;
   }
 
-  /** @param {import("./types.js").Surface | null} surface */
+  /** @param {import("../../geometry/records.js").Surface | null} surface */
   set(surface) {
-    this.#surface = surface;
+    this.surface = surface;
     this.#ready = false;
   }
 
   /** Corners of every face four by four: the surface's own, or spread out once where faces share vertices. */
   #prepare() {
-    const surface = /** @type {import("./types.js").Surface} */ (this.#surface);
+    const surface = /** @type {import("../../geometry/records.js").Surface} */ (this.surface);
     const old = this.#mesh.geometry;
     old.setIndex(null);
     old.dispose();
@@ -102,7 +102,7 @@ export class Picker {
    * @returns {number} row of the face in the surface, -1 where there is none
    */
   rowAt(camera, x, y, width, height) {
-    if (!this.#surface || this.#surface.faces.length === 0) return -1;
+    if (!this.surface || this.surface.faces.length === 0) return -1;
     if (!this.#ready) this.#prepare();
     const renderer = this.#renderer;
     camera.setViewOffset(width, height, Math.floor(x), Math.floor(y), 1, 1);
@@ -126,7 +126,7 @@ export class Picker {
    * @returns {Vector3 | null}
    */
   meet(row, { origin, direction }) {
-    const surface = /** @type {import("./types.js").Surface} */ (this.#surface);
+    const surface = /** @type {import("../../geometry/records.js").Surface} */ (this.surface);
     const [a, b, c, d] = [0, 1, 2, 3].map((k) => {
       const id = surface.quads ? surface.quads[4 * row + k] : 4 * row + k;
       return new Vector3().fromArray(surface.positions, 3 * id);
@@ -147,7 +147,7 @@ export class Picker {
   }
 }
 
-/** @param {import("./types.js").Surface} surface @returns {Float32Array} */
+/** @param {import("../../geometry/records.js").Surface} surface @returns {Float32Array} */
 function cornersOf({ positions, quads }) {
   if (!quads) return positions;
   const corners = new Float32Array(3 * quads.length);

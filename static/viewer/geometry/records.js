@@ -1,0 +1,41 @@
+/**
+ * What the core sends to be drawn: its dataclasses of `hexalab.surface.records`, field by field, in the same order. Lengths
+ * are in diagonals of the mesh, whose extent's centre is the origin.
+ *
+ * @typedef {object} Surface
+ * @property {SeparationMode} mode
+ * @property {Float32Array} positions 3 per vertex
+ * @property {Int16Array} normals 4 per vertex, signed normalised, the fourth 0
+ * @property {Uint32Array} cells 1 per vertex
+ * @property {Uint8Array} inside 1 per vertex, 0 outside, 255 inside
+ * @property {Uint32Array | null} quads 4 per face, or null where vertices stand four by four
+ * @property {Uint32Array} faces 1 per face: cell * 8 + local face
+ * @property {Float32Array} edges 6 per line
+ * @property {Uint8Array} edge_cells 1 per line, or empty
+ *
+ * @typedef {object} Silhouette
+ * @property {Float32Array} positions
+ * @property {Int16Array} normals
+ *
+ * @typedef {object} Irregular
+ * @property {Float32Array} edges
+ * @property {Uint8Array} valence
+ * @property {Uint8Array} boundary
+ * @property {Float32Array} barbs
+ * @property {Uint8Array} barb_valence
+ * @property {Uint8Array} barb_boundary
+ * @property {Float32Array} paper
+ * @property {Uint8Array} paper_valence
+ * @property {Uint8Array} paper_boundary interior ones stand first in every list
+ * @property {Record<string, Record<string, number>>} counts of edges by "interior" and "boundary", and by valence
+ *
+ * @typedef {"lines" | "darkness_coded_edges" | "fissure" | "rounded"} SeparationMode
+ *
+ * @typedef {object} MeshFrame where a mesh stood before it was moved and scaled, and how large it is
+ * @property {readonly (readonly number[])[]} [extent] two corners in the file's unit
+ * @property {readonly number[]} [centre]
+ * @property {number} [diagonal]
+ * @property {number} cells number of cells of the whole mesh
+ */
+
+export {};

@@ -1,0 +1,94 @@
+import { PerspectiveCamera } from "three";
+import { UNSEEN } from "../layers/unseen.js";
+import { takePicture } from "./screenshot.js";
+
+/**
+ * Draws one picture: on the canvas, for a file, or a trial that nobody sees.
+ */
+export class Pictures {
+  #view;
+  #painter;
+  #layers;
+  #lighting;
+
+  /**
+   * @param {import("./view.js").View} view
+   * @param {import("./painter.js").Painter} painter
+   * @param {import("../layers/layers.js").Layers} layers
+   * @param {import("../../lighting/lighting.js").Lighting} lighting
+   */
+  constructor(view, painter, layers, lighting) {
+    this.#view = view;
+    this.#painter = painter;
+    this.#layers = layers;
+    this.#lighting = lighting;
+  }
+
+  /** Draws the canvas anew. @param {boolean} draft @param {boolean} many whether more drafts will follow */
+  show(draft, many) {
+    const { rig } = this.#view;
+    const { width, height } = this.#painter.pixels(draft);
+    this.#view.aim();
+    this.#prepare({ width, height, whole: height, pixelRatio: this.#view.ratioOf(width), draft });
+    this.#painter.show(rig.camera, draft, many);
+    const canvas = this.#painter.canvas.width;
+    this.#painter.corner((renderer) =>
+      this.#layers.gizmo.draw(renderer, rig.orientation, canvas, this.#view.ratioOf(canvas)),
+    );
+  }
+
+  /**
+   * The drawing as a PNG of any size, without gizmo, plane and highlight.
+   *
+   * @param {{ width: number, height: number, transparent: boolean, drawn: () => void }} options drawn: told after each tile
+   * @returns {Promise<Blob>}
+   */
+  take({ width, height, transparent, drawn }) {
+    const pixelRatio = Math.max(1, height / this.#view.size.height);
+    return takePicture(this.#painter, {
+      width,
+      height,
+      transparent,
+      draw: (target, tile, scale) => {
+        this.#view.aim(width / height);
+        const { camera } = this.#view.rig;
+        camera.setViewOffset(width * scale, height * scale, tile.x, tile.y, tile.width, tile.height);
+        this.#prepare({
+          width: tile.width,
+          height: tile.height,
+          whole: height * scale,
+          pixelRatio: pixelRatio * scale,
+          draft: false,
+        });
+        this.#painter.paint(camera, target, { transparent, overlay: false });
+        camera.clearViewOffset();
+        drawn();
+      },
+    });
+  }
+
+  /**
+   * @param {{ width: number, height: number, whole: number, pixelRatio: number, draft: boolean }} target its pixels, and the
+   *   height of the whole picture, of which it may be a tile
+   */
+  #prepare({ width, height, whole, pixelRatio, draft }) {
+    const { rig } = this.#view;
+    const pixel = this.#view.pixel(whole);
+    this.#layers.view({ width, height, pixelRatio, pixel, draft, outside: rig.outside });
+    this.#lighting.prepare(rig.camera, { width, height, perUnit: 1 / pixel, draft });
+  }
+
+  /** Has the GPU prepare all its programs, on a face that stands behind the eye; leaves that face in the layers. */
+  warmUp() {
+    const camera = new PerspectiveCamera();
+    this.#layers.setSurface(UNSEEN);
+    this.#layers.setSilhouette(UNSEEN);
+    this.#lighting.restart();
+    this.#lighting.object.advance(1);
+    for (const draft of [true, false]) {
+      this.#layers.view({ width: 1, height: 1, pixelRatio: 1, pixel: 1, draft, outside: false });
+      this.#painter.show(camera, draft);
+    }
+    this.#layers.setSilhouette(null);
+  }
+}
