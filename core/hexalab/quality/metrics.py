@@ -38,7 +38,7 @@ class Metric:
         The paper's table (after Verdict's manual); None where neither gives one.
     unit_cube : float or None
         Value for the unit cube; None where it depends on the rest of the mesh.
-    direction : "high" or "low"
+    direction : {"high", "low"}
         Which end is best.
     normalisation : Normalisation
         The paper's phi and its inverse.
