@@ -103,7 +103,10 @@ def test_C7_the_summary_has_times_and_sizes(rebuild):
     report = rebuild()
     assert report.pages == 11 + interface.installed()
     assert report.meshes == 5
-    assert f"{11 + interface.installed()} pages, 2 sources, 5 meshes (3 measured, 0 pictures taken)" in report.summary
+    assert (
+        f"{11 + interface.installed()} pages, 2 sources, 5 meshes (3 measured, 0 pictures taken)"
+        in report.summary
+    )
     assert "meshes/" in report.summary
 
 

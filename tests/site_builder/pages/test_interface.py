@@ -30,7 +30,7 @@ def listed(html, title):
 
 
 @needs_griffe
-def test_X3_every_public_name_has_its_section(sections):
+def test_A1_every_public_name_has_its_section(sections):
     assert sorted(sections) == sorted(hexalab.__all__)
     for name, html in sections.items():
         assert f'<h3 id="{name}">' in html
@@ -41,7 +41,7 @@ def test_X3_every_public_name_has_its_section(sections):
 @pytest.mark.parametrize(
     "name", [name for name in hexalab.__all__ if inspect.isfunction(getattr(hexalab, name))]
 )
-def test_X3_a_functions_parameters_and_what_it_returns_are_there(sections, name):
+def test_A1_a_functions_parameters_and_what_it_returns_are_there(sections, name):
     signature = inspect.signature(getattr(hexalab, name))
     assert f"hexalab.{name}({', '.join(signature.parameters)[:4]}" in sections[name]
     assert listed(sections[name], "Parameters") == list(signature.parameters)
@@ -52,7 +52,7 @@ def test_X3_a_functions_parameters_and_what_it_returns_are_there(sections, name)
 @pytest.mark.parametrize(
     "name", [n for n in hexalab.__all__ if dataclasses.is_dataclass(getattr(hexalab, n))]
 )
-def test_X3_a_classs_fields_properties_and_methods_are_there(sections, name):
+def test_A1_a_classs_fields_properties_and_methods_are_there(sections, name):
     of = getattr(hexalab, name)
     fields = listed(sections[name], "Parameters") or listed(sections[name], "Attributes")
     assert [part for row in fields for part in row.split(", ")] == [
@@ -71,7 +71,7 @@ def test_X3_a_classs_fields_properties_and_methods_are_there(sections, name):
 
 
 @needs_griffe
-def test_X3_exceptions_are_told_and_names_are_linked(sections):
+def test_A1_exceptions_are_told_and_names_are_linked(sections):
     assert 'class="type">MeshReadError<' in sections["read"]
     assert 'class="type">KeyError<' in sections["quality"]
     assert '<a href="#METRICS"><code>METRICS</code></a>' in sections["quality"]
@@ -80,13 +80,13 @@ def test_X3_exceptions_are_told_and_names_are_linked(sections):
 
 
 @needs_griffe
-def test_X3_guide_and_about_lead_to_it(site):
+def test_A1_guide_and_about_lead_to_it(site):
     for page in ("guide", "about"):
         assert 'href="../python/index.html"' in (site / page / "index.html").read_text("utf-8")
     assert "hex/python/" in (site / "sitemap.xml").read_text("utf-8")
 
 
-def test_X3_without_the_tool_the_site_is_built_and_says_what_it_lacks(demo, monkeypatch):
+def test_A1_without_the_tool_the_site_is_built_and_says_what_it_lacks(demo, monkeypatch):
     monkeypatch.setattr(interface, "installed", lambda: False)
     report = build(demo, demo.parent / "site", runtime=False)
     assert not (demo.parent / "site" / "python").exists()
@@ -94,7 +94,7 @@ def test_X3_without_the_tool_the_site_is_built_and_says_what_it_lacks(demo, monk
     assert interface.NOT_INSTALLED in report.summary
 
 
-def test_X3_text_becomes_harmless_html():
+def test_A1_text_becomes_harmless_html():
     text = "A <b> & `x < y`.\n\nSee `read`,\nand ``Mesh.points``."
     assert str(interface.prose(text)) == (
         "<p>A &lt;b&gt; &amp; <code>x &lt; y</code>.</p>"
