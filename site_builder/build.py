@@ -17,7 +17,7 @@ from .measuring.measurer import Measurer
 from .model.catalogue import Catalogue, Problem
 from .model.problems import disagreements, problem_of
 from .output import Output
-from .pages import indexes
+from .pages import indexes, interface
 from .pages.pages import LOCAL, Pages
 from .pages.words import file_size
 from .pictures import Album, png_size, take_missing
@@ -166,7 +166,7 @@ def build(
         seconds=time.perf_counter() - began,
         sizes=_sizes(out),
         warnings=warnings,
-        notes=[trouble] if trouble else [],
+        notes=[note for note in (trouble, "" if interface.installed() else interface.NOT_INSTALLED) if note],
     )
 
 

@@ -48,6 +48,15 @@ def read(file: str | os.PathLike[str] | BinaryIO) -> Mesh:
 
     A mesh whose every cell is inverted is turned round, and `Mesh.notes` says so.
 
+    Parameters
+    ----------
+    file : str, path or binary file
+        The content decides on the format; a name's ending only where the content does not tell.
+
+    Returns
+    -------
+    Mesh
+
     Raises
     ------
     MeshReadError

@@ -17,7 +17,7 @@ from ..citing.exports import bibtex
 from ..model.catalogue import Catalogue, MeshEntry, Source
 from ..model.facts import Statistics
 from ..pictures.collection import Collection
-from . import metadata, words
+from . import interface, metadata, words
 from .facets import FACETS, counts
 from .histogram import draw
 from .indexes import INDEX_VERSION
@@ -86,6 +86,7 @@ class Pages:
                 (m.picture_address for m in catalogue.meshes if m.picture_address in pictures), ""
             ),
             json_ld=None,
+            interface=interface.installed(),
         )
 
     def all(self) -> Iterator[tuple[str, str]]:
@@ -94,6 +95,8 @@ class Pages:
         yield "gallery/", self.gallery()
         yield "guide/", self.guide()
         yield "about/", self.about()
+        if interface.installed():
+            yield "python/", self.interface()
         for source in self._catalogue.sources:
             yield source.page, self.source(source)
             for mesh in source.meshes:
@@ -138,6 +141,10 @@ class Pages:
     def guide(self) -> str:
         """What each tool does, with a picture."""
         return self._render("guide", "guide/", **guide_values(self._collection))
+
+    def interface(self) -> str:
+        """Every public name of the Python package."""
+        return self._render("interface", "python/", **interface.interface_values())
 
     def source(self, source: Source) -> str:
         """A source's page."""

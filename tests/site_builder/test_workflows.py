@@ -65,7 +65,7 @@ def test_C6_the_site_is_built_for_the_address_where_it_will_be():
     assert "--strict" in step["run"]
 
 
-def test_X3_every_pull_request_is_tested_as_a_whole():
+def test_C6_every_pull_request_is_tested_as_a_whole():
     workflow = yaml.safe_load((FOLDER / "ci.yml").read_text("utf-8"))
     assert triggers(workflow) == {"pull_request": None, "push": {"branches": ["main"]}}
     assert workflow["concurrency"]["group"].endswith("${{ github.ref }}")
@@ -74,7 +74,7 @@ def test_X3_every_pull_request_is_tested_as_a_whole():
     assert "make lint test" in (ROOT / ".ci" / "run").read_text("utf-8")
 
 
-def test_X3_the_core_is_tested_on_every_python_and_system():
+def test_C6_the_core_is_tested_on_every_python_and_system():
     job = yaml.safe_load((FOLDER / "ci.yml").read_text("utf-8"))["jobs"]["core"]
     matrix = job["strategy"]["matrix"]
     assert {system.split("-")[0] for system in matrix["system"]} == {"ubuntu", "macos", "windows"}
@@ -88,7 +88,7 @@ def test_X3_the_core_is_tested_on_every_python_and_system():
     assert test == "python -m pytest tests/core tests/repro"
 
 
-def test_X3_hypothesis_repeats_itself_on_a_pull_request_and_draws_anew_at_night():
+def test_C6_hypothesis_repeats_itself_on_a_pull_request_and_draws_anew_at_night():
     from hypothesis import settings
 
     assert settings.get_profile("ci").derandomize

@@ -37,7 +37,7 @@ class Finding:
     ----------
     id : str
         Name for programs.
-    severity : "error", "warning" or "note"
+    severity : {"error", "warning", "note"}
         An error makes finite elements fail; a warning may; a note is worth knowing.
     message : str
         One sentence for the user.

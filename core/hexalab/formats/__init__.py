@@ -79,6 +79,12 @@ def write_bytes(mesh: Mesh, format_id: str) -> bytes:
 def write(mesh: Mesh, path: str | os.PathLike[str]) -> None:
     """Write a mesh to a file; the path's ending tells the format.
 
+    Parameters
+    ----------
+    mesh : Mesh
+    path : str or path
+        Ends in an extension of one of the `FORMATS` that have a writer.
+
     Raises
     ------
     MeshWriteError

@@ -91,6 +91,7 @@ FORMATS: tuple[Format, ...] = (
         abaqus.read,
     ),
 )
+"""The formats that are read, as rows with `id`, `name`, `extensions` and more; a row that has a `writer` is written."""
 
 
 def choose(file: File) -> Format:

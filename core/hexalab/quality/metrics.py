@@ -37,7 +37,7 @@ class Metric:
         The paper's table (after Verdict's manual); None where neither gives one.
     unit_cube : float or None
         Value for the unit cube; None where it depends on the rest of the mesh.
-    better : "high" or "low"
+    better : {"high", "low"}
         Which of two values is better.
     normalisation : Normalisation
         The paper's phi and its inverse.

@@ -67,7 +67,7 @@ def cavity() -> Mesh:
 @pytest.mark.parametrize("mode", ["lines", "fissure", "rounded"])
 @pytest.mark.parametrize(
     "name",
-    ["cavity", "shapes/lattice", "shapes/bracket", "structures/tunnels", "rod-rod", "DEMO09", "hex-joint"],
+    ["cavity", "structures/tunnels", "shapes/t-junction", "rod-rod", "DEMO09", "hex-joint"],
 )
 def test_V5_openness_is_that_of_traced_rays(stage: Any, name: str, mode: str) -> None:
     surface = surface_of(cavity() if name == "cavity" else whole(name), mode)
