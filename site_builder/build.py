@@ -19,6 +19,7 @@ from .model.problems import disagreements, problem_of
 from .output import Output
 from .pages import indexes, interface
 from .pages.pages import LOCAL, Pages
+from .pages.styles import style_sheets
 from .pages.words import file_size
 from .pictures import Album, png_size, take_missing
 from .pictures.collection import Collection
@@ -225,9 +226,10 @@ def _add_figures(collection: Collection, output: Output, album: Album) -> dict[s
 
 def _add_static(output: Output) -> dict[str, str]:
     """Styles, scripts of the catalogue, icon; what else lies in `static/` goes to the root."""
-    for folder in ("styles", "catalogue"):
-        for file in sorted((STATIC / folder).glob("*.*")):
-            output.copy(f"{folder}/{file.name}", file)
+    for name, sheet in style_sheets().items():
+        output.write(f"styles/{name}.css", sheet)
+    for file in sorted((STATIC / "catalogue").glob("*.*")):
+        output.copy(f"catalogue/{file.name}", file)
     extras = {}
     for file in sorted(STATIC.glob("*.*")):
         output.copy(file.name, file)
@@ -262,7 +264,7 @@ def _add_viewer(pages: Pages, output: Output, extras: dict[str, str]) -> None:
         script="../" + report.scripts["main"],
         worker="../" + report.scripts["worker"],
         runtime="../" + report.runtime,
-        styles=[f"../styles/{name}.css" for name in ("tokens", "viewer", "controls", "details")],
+        style="../styles/viewer.css",
         manifest="../" + extras["manifest"] if "manifest" in extras else "",
         favicon="../icon.svg",
         tables=viewer_tables(),

@@ -7,7 +7,7 @@ import { meshFacts } from "./mesh_facts.js";
 
 const STEPS = ["Off", "Wires", "Wires, through", "Barbed", "Barbed, through", "Paper", "Paper, through"];
 
-/** Rows of the legend: valence from, to, its words. Their colours stand in viewer.css as `.valence-…`. */
+/** Rows of the legend: valence from, to, its words. Their colours stand in the style sheets as `.valence-…`. */
 const CLASSES = [
   { name: "low", words: "2 and fewer", test: (/** @type {number} */ n) => n <= 2 },
   { name: "three", words: "3", test: (/** @type {number} */ n) => n === 3 },
