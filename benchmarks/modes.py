@@ -27,8 +27,8 @@ IRREGULAR_MODES = range(7)
 WALK = """async (steps) => {
     const found = [];
     for (const step of steps) {
-        const problems = await window.hexalab.setStatus(step);
-        found.push({ problems, shown: window.hexalab.summary().shown, drawn: window.hexalab.drawn() });
+        const rejections = await window.hexalab.setStatus(step);
+        found.push({ rejections, shown: window.hexalab.summary().shown, drawn: window.hexalab.drawn() });
     }
     return found;
 }"""
@@ -112,7 +112,7 @@ class Native:
 
     def __init__(self, mesh: hexalab.Mesh) -> None:
         self.mesh = mesh
-        self._drawing = DrawnMesh(mesh)
+        self._drawn_mesh = DrawnMesh(mesh)
         self._stack = FilterStack(mesh, self._quality)
         self._values: dict[str, Any] = {}
         self._status = DEFAULTS
@@ -130,7 +130,7 @@ class Native:
         shown = self._stack.apply(self._status["filters"])
         separation = self._status["separation"]
         mode = separation["mode"]
-        surface = extract_surface(self._drawing, shown, mode, separation["gap"], separation["radius"])
+        surface = extract_surface(self._drawn_mesh, shown, mode, separation["gap"], separation["radius"])
         faces = len(self.mesh.topology.interface(shown).rows)
         flat = mode in ("lines", "darkness_coded_edges")
         return {
@@ -141,10 +141,10 @@ class Native:
             "cells drawn": len(np.unique(surface.cells)),
         }
 
-    def _quality(self, source: str) -> Any:
-        if source not in self._values:
-            self._values[source] = hexalab.quality(self.mesh, source)
-        return self._values[source]
+    def _quality(self, quantity: str) -> Any:
+        if quantity not in self._values:
+            self._values[quantity] = hexalab.quality(self.mesh, quantity)
+        return self._values[quantity]
 
 
 def found_in_page(answer: dict[str, Any]) -> dict[str, int]:
@@ -165,7 +165,7 @@ def differences(mesh: hexalab.Mesh, walk: list[Step], answers: list[dict[str, An
     wrong = []
     for step, answer in zip(walk, answers, strict=True):
         expected, found = native.after(step), found_in_page(answer)
-        wrong += [f"{step.name}: {problem}" for problem in answer["problems"]]
+        wrong += [f"{step.name}: {rejection}" for rejection in answer["rejections"]]
         wrong += [
             f"{step.name}: {what} {found[what]}, natively {number}"
             for what, number in expected.items()

@@ -36,7 +36,7 @@ def run(meshes: Path, pictures: Path, out: Path) -> None:
             rendering = renderer.render(mesh, data, read_settings(model), width=size[0], height=size[1])
             side_by_side(model, rendering.png).save(out / picture)
             timings = renderer.page.evaluate("() => window.hexalab.timings()")
-            print(f"{picture}: light {timings.get('lighting', 0) / 1000:.1f} s", *rendering.problems)
+            print(f"{picture}: light {timings.get('lighting', 0) / 1000:.1f} s", *rendering.rejections)
 
 
 def side_by_side(model: bytes, ours: bytes) -> Image.Image:
