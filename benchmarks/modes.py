@@ -14,13 +14,13 @@ import numpy as np
 
 import hexalab
 from hexalab.filters.stack import FilterStack
-from hexalab.status import DEFAULTS, merge
+from hexalab.status import DEFAULTS, SCHEMA, merge
 from hexalab.surface import MODES, DrawnMesh, extract_surface
 
 Status = dict[str, Any]
 
 LIGHTS = ("direct", "screen_space_ao", "object_space_ao")
-MAPS = ("parula", "jet", "red_blue", "viridis")
+MAPS = SCHEMA["properties"]["colour"]["properties"]["map"]["enum"]
 SILHOUETTES = (0, 0.5, 1)
 IRREGULAR_MODES = range(7)
 
