@@ -35,13 +35,7 @@
  * @property {Uint8Array} paper_valence
  * @property {Uint8Array} paper_boundary interior ones stand first in every list
  *
- * @typedef {object} CameraStatus
- * @property {number[]} target
- * @property {number[]} direction
- * @property {number[]} up
- * @property {number} distance
- * @property {"perspective" | "orthographic"} projection
- * @property {number} field_of_view degrees, of the height
+ * @typedef {import("../state/status.js").Status["camera"]} CameraStatus
  *
  * @typedef {object} ColourStatus
  * @property {"sides" | "quality" | "attribute" | "kind"} by
@@ -61,9 +55,38 @@
  * @typedef {"none" | "direct" | "screen_space_ao" | "object_space_ao"} LightingMode
  *
  * @typedef {object} Plane
- * @property {number[]} normal
+ * @property {readonly number[]} normal
  * @property {number} offset from 0 to 1 over the extent
- * @property {number[]} [extent] least and greatest distance from the origin along the normal, in diagonals; the mesh's box
+ * @property {readonly number[]} [extent] least and greatest distance from the origin along the normal, in diagonals; the mesh's box
+ */
+
+/**
+ * Stand-in for the type that Scene and BlankScene share: what the application and the page use of it.
+ *
+ * @typedef {{ x: number, y: number, event: PointerEvent }} At
+ * @typedef {{ camera: CameraStatus, cameraend: null, click: At, hover: At | null, calm: null, contextlost: null, contextrestored: null }} SceneEvents
+ *
+ * @typedef {object} SceneLike
+ * @property {Record<string, number>} timings
+ * @property {boolean} hurried
+ * @property {boolean} outward
+ * @property {number} frames
+ * @property {() => void} warmUp
+ * @property {(mesh: MeshFrame) => void} setMesh
+ * @property {(surface: Surface | null, same?: boolean) => void} setSurface
+ * @property {(silhouette: Silhouette | null) => void} setSilhouette
+ * @property {(irregular: Irregular | null) => void} setIrregular
+ * @property {(positions: Float32Array | null) => void} setCellColours
+ * @property {(status: SceneStatus) => void} setStatus
+ * @property {(width: number, height: number, pixelRatio?: number) => void} resize
+ * @property {(face: number | null) => void} highlight
+ * @property {(plane: Plane | null) => void} showPlane
+ * @property {() => void} flush
+ * @property {(x: number, y: number) => { face: number, cell: number, localFace: number } | null} pick
+ * @property {<Name extends keyof SceneEvents>(name: Name, listener: (detail: SceneEvents[Name]) => void) => () => void} on
+ * @property {() => Promise<void>} settled
+ * @property {() => { faces: number, triangles: number, edges: number, cells: number }} drawn
+ * @property {(options?: { width?: number, height?: number, transparent?: boolean }) => Promise<Blob>} screenshot
  */
 
 export {};

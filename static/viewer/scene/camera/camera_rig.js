@@ -87,8 +87,8 @@ export class CameraRig {
   }
 
   /**
-   * @param {number[]} direction
-   * @param {number[]} up
+   * @param {readonly number[]} direction
+   * @param {readonly number[]} up
    */
   #look(direction, up) {
     const back = new Vector3().fromArray(direction).negate();

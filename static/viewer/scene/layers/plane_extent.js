@@ -2,7 +2,7 @@
  * Extent of the mesh's box along a direction, in drawing coordinates.
  *
  * @param {import("../types.js").MeshFrame} mesh
- * @param {number[]} normal any length but 0
+ * @param {readonly number[]} normal any length but 0
  * @returns {[number, number]}
  */
 export function planeExtent({ extent, diagonal }, normal) {

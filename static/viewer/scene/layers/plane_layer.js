@@ -16,7 +16,7 @@ export class PlaneLayer {
   }
 
   /**
-   * @param {number[] | null} normal null: no plane
+   * @param {readonly number[] | null} normal null: no plane
    * @param {number} distance of the plane from the origin along the normal
    * @param {number} side
    */
