@@ -7,6 +7,8 @@ from pathlib import Path
 
 from playwright.sync_api import Page
 
+from hexalab.surface import MODES
+
 from . import dragging
 from .clock import table
 from .grids import PICKED, SIZES, grid_file
@@ -29,8 +31,6 @@ PICK = """async (count) => {
     const hidden = Array.from({ length: count }, (_, cell) => cell);
     await window.hexalab.setStatus({ filters: { picking: { hidden } } });
 }"""
-
-MODES = ("lines", "darkness_coded_edges", "fissure", "rounded")
 
 MODE = """async (mode) => {
     await window.hexalab.setStatus({ separation: { mode } });

@@ -15,21 +15,21 @@ import numpy as np
 import hexalab
 from hexalab.arrays import Floats
 from hexalab.filters.stack import FilterStack
-from hexalab.status import DEFAULTS, merge
+from hexalab.status import DEFAULTS, SCHEMA, merge
 from hexalab.surface import MODES, DrawnMesh, extract_surface
 
 Status = dict[str, Any]
 
 LIGHTS = ("direct", "screen_space_ao", "object_space_ao")
-MAPS = ("parula", "jet", "red_blue", "viridis")
+MAPS = SCHEMA["properties"]["colour"]["properties"]["map"]["enum"]
 SILHOUETTES = (0, 0.5, 1)
 IRREGULAR_MODES = range(7)
 
 WALK = """async (steps) => {
     const found = [];
     for (const step of steps) {
-        const problems = await window.hexalab.setStatus(step);
-        found.push({ problems, shown: window.hexalab.summary().shown, drawn: window.hexalab.drawn() });
+        const rejections = await window.hexalab.setStatus(step);
+        found.push({ rejections, shown: window.hexalab.summary().shown, drawn: window.hexalab.drawn() });
     }
     return found;
 }"""
@@ -54,7 +54,7 @@ class DrawnCounts(TypedDict):
 class Walked(TypedDict):
     """What the page tells after a step: what the status was refused for, what is shown and what is drawn."""
 
-    problems: list[dict[str, str]]
+    rejections: list[dict[str, str]]
     shown: ShownCounts
     drawn: DrawnCounts
 
@@ -136,7 +136,7 @@ class Native:
 
     def __init__(self, mesh: hexalab.Mesh) -> None:
         self.mesh = mesh
-        self._drawing = DrawnMesh(mesh)
+        self._drawn_mesh = DrawnMesh(mesh)
         self._stack = FilterStack(mesh, self._quality)
         self._values: dict[str, Floats] = {}
         self._status = DEFAULTS
@@ -154,7 +154,7 @@ class Native:
         shown = self._stack.apply(self._status["filters"])
         separation = self._status["separation"]
         mode = separation["mode"]
-        surface = extract_surface(self._drawing, shown, mode, separation["gap"], separation["radius"])
+        surface = extract_surface(self._drawn_mesh, shown, mode, separation["gap"], separation["radius"])
         faces = len(self.mesh.topology.interface(shown).rows)
         flat = mode in ("lines", "darkness_coded_edges")
         return {
@@ -165,10 +165,10 @@ class Native:
             "cells drawn": len(np.unique(surface.cells)),
         }
 
-    def _quality(self, source: str) -> Floats:
-        if source not in self._values:
-            self._values[source] = hexalab.quality(self.mesh, source)
-        return self._values[source]
+    def _quality(self, quantity: str) -> Floats:
+        if quantity not in self._values:
+            self._values[quantity] = hexalab.quality(self.mesh, quantity)
+        return self._values[quantity]
 
 
 def found_in_page(answer: Walked) -> dict[str, int]:
@@ -189,7 +189,7 @@ def differences(mesh: hexalab.Mesh, walk: list[Step], answers: list[Walked]) -> 
     wrong = []
     for step, answer in zip(walk, answers, strict=True):
         expected, found = native.after(step), found_in_page(answer)
-        wrong += [f"{step.name}: {problem}" for problem in answer["problems"]]
+        wrong += [f"{step.name}: {rejection}" for rejection in answer["rejections"]]
         wrong += [
             f"{step.name}: {what} {found[what]}, natively {number}"
             for what, number in expected.items()

@@ -133,7 +133,7 @@ def build(
     warnings = [problem for problem in catalogue.problems if problem.severity != "error"]
     if catalogue.errors or (strict and warnings):
         raise BuildError(catalogue.problems)
-    extras = _add_static(output)
+    _add_static(output)
     output.write("catalogue.json", indexes.catalogue_json(catalogue, previews))
     thumbnails = Thumbnails(cache)
     collection = Collection(catalogue)
@@ -141,13 +141,13 @@ def build(
     taken, trouble = 0, ""
     if runtime:
         tell("the viewer and its Python", 0.35)
-        _add_viewer(Pages(catalogue, set(), extras), output, extras)
+        _add_viewer(Pages(catalogue, set()), output)
     if runtime and pictures:
         shots = [*map(thumbnails.shot, thumbnails.wanted(catalogue)), *collection.figures.values()]
         taken, trouble = take_missing(shots, out, album, lambda what, part: tell(what, 0.4 + 0.5 * part))
     shown = _add_pictures(catalogue, output, thumbnails)
     figures = _add_figures(collection, output, album)
-    pages = Pages(catalogue, shown, extras, collection, figures)
+    pages = Pages(catalogue, shown, collection, figures)
     addresses = []
     for number, (page, html) in enumerate(pages.all()):
         output.write(f"{page}index.html", html)
@@ -224,18 +224,14 @@ def _add_figures(collection: Collection, output: Output, album: Album) -> dict[s
     return figures
 
 
-def _add_static(output: Output) -> dict[str, str]:
+def _add_static(output: Output) -> None:
     """Styles, scripts of the catalogue, icon; what else lies in `static/` goes to the root."""
     for name, sheet in style_sheets().items():
         output.write(f"styles/{name}.css", sheet)
     for file in sorted((STATIC / "catalogue").glob("*.*")):
         output.copy(f"catalogue/{file.name}", file)
-    extras = {}
     for file in sorted(STATIC.glob("*.*")):
         output.copy(file.name, file)
-        if file.suffix == ".webmanifest":
-            extras["manifest"] = file.name
-    return extras
 
 
 def _add_indexes(catalogue: Catalogue, output: Output, pages: list[str], pictures: set[str]) -> None:
@@ -250,7 +246,7 @@ def _add_indexes(catalogue: Catalogue, output: Output, pages: list[str], picture
             output.write(f"{source.page}{source.slug}.{name}", writer([source.reference]))
 
 
-def _add_viewer(pages: Pages, output: Output, extras: dict[str, str]) -> None:
+def _add_viewer(pages: Pages, output: Output) -> None:
     try:
         from .runtime import assemble
 
@@ -265,7 +261,6 @@ def _add_viewer(pages: Pages, output: Output, extras: dict[str, str]) -> None:
         worker="../" + report.scripts["worker"],
         runtime="../" + report.runtime,
         style="../styles/viewer.css",
-        manifest="../" + extras["manifest"] if "manifest" in extras else "",
         favicon="../icon.svg",
         tables=viewer_tables(),
     )

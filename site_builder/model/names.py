@@ -6,7 +6,9 @@ import re
 import unicodedata
 from urllib.parse import quote, unquote
 
-MESH_ENDINGS = (".mesh", ".meshb", ".vtk", ".vtu", ".msh", ".inp", ".ovm")
+from hexalab.formats import FORMATS
+
+MESH_ENDINGS = tuple(ending for row in FORMATS for ending in row.extensions)
 """Endings of the mesh formats that the core reads; each may be followed by ``.gz``."""
 
 DOI = re.compile(r"10\.\d{4,9}/\S+")

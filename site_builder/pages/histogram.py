@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from hexalab.quality import METRICS
+
 from ..model.facts import Binned
 
 WIDTH, HEIGHT = 480, 140
 _BASE = 116
-ACCEPTABLE = (0.5, 1.0)
-"""The acceptable range of the Scaled Jacobian, after Verdict's manual."""
 
 
 @dataclass(frozen=True)
@@ -67,5 +67,6 @@ def draw(histogram: Binned) -> Histogram:
         (round((value - low) / (high - low) * WIDTH, 2), f"{value:g}".replace("-", "−"))
         for value in ([-1, -0.5, 0, 0.5, 1] if low < 0 else [0, 0.25, 0.5, 0.75, 1])
     ]
-    place = [round((value - low) / (high - low) * WIDTH, 2) for value in ACCEPTABLE]
+    acceptable = METRICS["scaled_jacobian"].acceptable_range or (low, high)
+    place = [round((value - low) / (high - low) * WIDTH, 2) for value in acceptable]
     return Histogram(WIDTH, HEIGHT, _BASE, bars, ticks, (place[0], place[1]), peak)

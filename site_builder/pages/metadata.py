@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from hexalab.formats import FORMATS
+from hexalab.quality import METRICS
+
 from ..model.catalogue import Author, Catalogue, MeshEntry, Source
 from .words import plural, structure_line, verdict
 
@@ -26,10 +29,7 @@ AUTHORS_NOTE = (
     "The data belong to the authors of the paper; for any use but looking at them, ask the authors."
 )
 
-FORMAT_NAMES = {
-    ".mesh": "Medit ASCII", ".meshb": "Medit binary", ".vtk": "VTK legacy", ".vtu": "VTK XML", ".msh": "Gmsh",
-    ".inp": "Abaqus", ".ovm": "OpenVolumeMesh",
-}  # fmt: skip
+FORMAT_NAMES = {ending: row.name for row in FORMATS for ending in row.extensions}
 
 TECHNIQUE = (
     "Metrics of the Verdict library; edges by the cells around them; validity certified by Bézier bounds"
@@ -207,8 +207,6 @@ def _measured(mesh: MeshEntry) -> list[JsonLd]:
     ]
     measured = [_property(name, value=value) for name, value in values if value is not None]
     if facts.quality:
-        from hexalab.quality import METRICS
-
         for metric, found in facts.quality.items():
             if found["min"] is not None:
                 measured.append(

@@ -37,8 +37,6 @@ class Pages:
     catalogue : Catalogue
     pictures : set of str
         Addresses of the thumbnails that the site has.
-    extras : dict
-        What all pages may link to if it is there: ``manifest``.
     collection : Collection
         What gallery and guide show.
     figures : dict of str to (int, int)
@@ -49,7 +47,6 @@ class Pages:
         self,
         catalogue: Catalogue,
         pictures: set[str],
-        extras: dict[str, str] | None = None,
         collection: Collection | None = None,
         figures: dict[str, tuple[int, int]] | None = None,
     ) -> None:
@@ -71,7 +68,6 @@ class Pages:
         self._environment.globals.update(
             catalogue=catalogue,
             published=not catalogue.address.startswith(LOCAL),
-            manifest=(extras or {}).get("manifest", ""),
             picture=lambda mesh: mesh.picture_address in pictures,
             size=lambda figure: (figures or {}).get(figure.address),
             short_verdict=words.short_verdict,

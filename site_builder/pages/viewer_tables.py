@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import Any, TypedDict
 
 from hexalab import __version__
 from hexalab.formats import FORMATS
 from hexalab.quality import METRICS
 from hexalab.session import DESCRIBED
-from hexalab.status import CORE_PATHS, DEFAULTS
+from hexalab.status import CORE_PATHS, DEFAULTS, SCHEMA
+from hexalab.summary import STATISTICS
 
 Ends = list[float | None]
 """A range: low and high, None where it is open."""
@@ -38,24 +40,36 @@ class ViewerTables(TypedDict):
     """What the page carries of the core's tables, in the core's order.
 
     `defaults` are the settings', `core_paths` those of them that concern the core, `described` the parts of a
-    description.
+    description; settings are named by their paths, such as ``separation.mode``: `choices` are the words of one,
+    `limits` its smallest and largest number. `statistics` are those that the core tells of a quantity.
     """
 
     version: str
     defaults: dict[str, Any]
     core_paths: tuple[str, ...]
+    choices: dict[str, list[str]]
+    limits: dict[str, list[float]]
     described: tuple[str, ...]
+    statistics: tuple[str, ...]
     metrics: list[MetricEntry]
     formats: list[FormatEntry]
 
 
 def viewer_tables() -> ViewerTables:
     """The core's tables as JSON values."""
+    settings = dict(_settings(SCHEMA))
     return {
         "version": __version__,
         "defaults": DEFAULTS,
         "core_paths": CORE_PATHS,
+        "choices": {path: rule["enum"] for path, rule in settings.items() if "enum" in rule},
+        "limits": {
+            path: [rule["minimum"], rule["maximum"]]
+            for path, rule in settings.items()
+            if {"minimum", "maximum"} <= rule.keys()
+        },
         "described": DESCRIBED,
+        "statistics": STATISTICS,
         "metrics": [
             {
                 "id": metric.id,
@@ -69,6 +83,16 @@ def viewer_tables() -> ViewerTables:
         ],
         "formats": [{"id": one.id, "name": one.name, "extensions": list(one.extensions)} for one in FORMATS],
     }
+
+
+def _settings(schema: dict[str, Any], path: str = "") -> Iterator[tuple[str, dict[str, Any]]]:
+    """The schema of each setting by its path; lists are settings, and what is in their items is not told."""
+    for name, rule in schema["properties"].items():
+        place = f"{path}.{name}" if path else name
+        if "properties" in rule:
+            yield from _settings(rule, place)
+        else:
+            yield place, rule
 
 
 def _ends(ends: tuple[float, float]) -> Ends:

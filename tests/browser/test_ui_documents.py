@@ -51,10 +51,10 @@ def test_S1_a_round_trip_changes_nothing(mesh: Page) -> None:
 
 
 def test_S1_a_wrong_value_is_named_and_the_rest_applies(mesh: Page) -> None:
-    problems = ui.set_status(
+    rejections = ui.set_status(
         mesh, {"filters": {"peel": {"depth": -1}}, "background": "#112233", "nonsense": 1}
     )
-    assert sorted(problem["path"] for problem in problems) == ["filters.peel.depth", "nonsense"]
+    assert sorted(rejection["path"] for rejection in rejections) == ["filters.peel.depth", "nonsense"]
     assert ui.status(mesh)["background"] == "#112233"
     assert "filters.peel.depth: found -1" in ui.messages(mesh)
 

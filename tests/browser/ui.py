@@ -68,7 +68,7 @@ def status(page: Page) -> dict[str, Any]:
 
 
 def set_status(page: Page, partial: dict[str, Any]) -> list[dict[str, str]]:
-    """Apply a partial status; returns its problems."""
+    """Apply a partial status; returns its rejections."""
     found: list[dict[str, str]] = page.evaluate("partial => window.hexalab.setStatus(partial)", partial)
     return found
 

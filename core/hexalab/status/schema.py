@@ -141,7 +141,7 @@ COLOUR_BY = section(
     inside={**COLOUR, "default": "#ffff00", "description": "Faces that filters expose"},
     metric=core({"type": "string", "minLength": 1, "default": "scaled_jacobian"}),
     attribute=core({"type": "string", "default": "", "description": "cell:NAME or point:NAME"}),
-    map=choice("parula", "jet", "red_blue", "viridis"),
+    map=choice("parula", "viridis", "jet", "red_blue"),
     range=core(
         {
             "type": ["array", "null"],

@@ -3,13 +3,7 @@
  *
  * @typedef {import("../state/vectors.js").Vector} Vector
  *
- * @typedef {object} CameraStatus
- * @property {Vector} target
- * @property {Vector} direction
- * @property {Vector} up
- * @property {number} distance
- * @property {"perspective" | "orthographic"} projection
- * @property {number} field_of_view degrees, of the height
+ * @typedef {import("../state/status.js").Status["camera"]} CameraStatus
  *
  * @typedef {object} ColourStatus
  * @property {"sides" | "quality" | "attribute" | "kind"} by

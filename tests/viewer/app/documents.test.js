@@ -21,10 +21,10 @@ test("S2: text that is no document is named, with where it came from", () => {
 });
 
 test("S1: wrong values are named by their path, the first three of many", () => {
-  const problem = (/** @type {string} */ path) => ({ path, found: "-1", expected: "at least 0" });
+  const rejection = (/** @type {string} */ path) => ({ path, found: "-1", expected: "at least 0" });
   assert.equal(
-    rejectionsInWords([problem("a.b")]),
+    rejectionsInWords([rejection("a.b")]),
     "a.b: found -1, expected at least 0. The rest was applied.",
   );
-  assert.match(rejectionsInWords(["a", "b", "c", "d", "e"].map(problem)), /c: .*; and 2 more\. The rest/);
+  assert.match(rejectionsInWords(["a", "b", "c", "d", "e"].map(rejection)), /c: .*; and 2 more\. The rest/);
 });

@@ -1,0 +1,111 @@
+/**
+ * The status document: all settings of a view. What each means, its limits and its default say the core's schema
+ * (hexalab.status.schema), from which this file is made: renew it with tests/core/status/status_types.py.
+ *
+ * @typedef {{
+ *   readonly version: 2,
+ *   readonly mesh: {
+ *     readonly name: string,
+ *     readonly sha256: string,
+ *     readonly cells: number,
+ *   },
+ *   readonly camera: {
+ *     readonly target: readonly [number, number, number],
+ *     readonly direction: readonly [number, number, number],
+ *     readonly up: readonly [number, number, number],
+ *     readonly distance: number,
+ *     readonly projection: "perspective" | "orthographic",
+ *     readonly field_of_view: number,
+ *   },
+ *   readonly filters: {
+ *     readonly planes: {
+ *       readonly enabled: boolean,
+ *       readonly rule: "barycentre" | "any_corner",
+ *       readonly items: readonly {
+ *         readonly enabled: boolean,
+ *         readonly normal: readonly [number, number, number],
+ *         readonly offset: number,
+ *       }[],
+ *     },
+ *     readonly peel: {
+ *       readonly enabled: boolean,
+ *       readonly depth: number,
+ *     },
+ *     readonly regularisation: {
+ *       readonly enabled: boolean,
+ *       readonly strength: number,
+ *     },
+ *     readonly quality: {
+ *       readonly enabled: boolean,
+ *       readonly items: readonly {
+ *         readonly quantity: string,
+ *         readonly keep: "inside" | "outside",
+ *         readonly minimum: number | null,
+ *         readonly maximum: number | null,
+ *       }[],
+ *     },
+ *     readonly picking: {
+ *       readonly enabled: boolean,
+ *       readonly isolated: boolean,
+ *       readonly hidden: readonly number[],
+ *       readonly shown: readonly number[],
+ *     },
+ *   },
+ *   readonly separation: {
+ *     readonly mode: "lines" | "darkness_coded_edges" | "fissure" | "rounded",
+ *     readonly line_opacity: number,
+ *     readonly gap: number,
+ *     readonly radius: number,
+ *     readonly line_width: number,
+ *   },
+ *   readonly colour: {
+ *     readonly by: "sides" | "quality" | "attribute" | "kind",
+ *     readonly outside: string,
+ *     readonly inside: string,
+ *     readonly metric: string,
+ *     readonly attribute: string,
+ *     readonly map: "parula" | "viridis" | "jet" | "red_blue",
+ *     readonly range: readonly [number, number] | null,
+ *   },
+ *   readonly silhouette: number,
+ *   readonly irregular: {
+ *     readonly mode: number,
+ *     readonly boundary: boolean,
+ *   },
+ *   readonly lighting: {
+ *     readonly mode: "object_space_ao" | "screen_space_ao" | "direct" | "none",
+ *   },
+ *   readonly background: string,
+ *   readonly histogram: {
+ *     readonly orientation: "horizontal" | "vertical",
+ *     readonly scale: "linear" | "log",
+ *     readonly bins: number,
+ *   },
+ * }} Status
+ */
+
+/**
+ * A part of a document: any of its settings, at any depth. A list is a value, which a part replaces whole.
+ *
+ * @template T
+ * @typedef {T extends readonly unknown[] | null ? T : T extends object ? { [K in keyof T]?: Part<T[K]> } : T} Part
+ */
+
+/** @typedef {Part<Status>} PartialStatus */
+
+/**
+ * The settings that are one word out of several, by their paths.
+ *
+ * @typedef {{
+ *   "camera.projection": Status["camera"]["projection"],
+ *   "filters.planes.rule": Status["filters"]["planes"]["rule"],
+ *   "separation.mode": Status["separation"]["mode"],
+ *   "colour.by": Status["colour"]["by"],
+ *   "colour.map": Status["colour"]["map"],
+ *   "lighting.mode": Status["lighting"]["mode"],
+ *   "histogram.orientation": Status["histogram"]["orientation"],
+ *   "histogram.scale": Status["histogram"]["scale"],
+ * }} Choices
+ */
+
+export {};
