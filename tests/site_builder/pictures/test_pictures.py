@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from hexalab.hosts.browser import BrowserMissing
 from hexalab.hosts.rendering import RenderError
-from hexalab.status import DEFAULTS, check, merge
+from hexalab.status import DEFAULTS, VERSION, check, merge
 from site_builder import build
 from site_builder.model.facts import Facts
 from site_builder.pages.picture_pages import CHAPTERS, interval, key_groups
@@ -179,7 +179,7 @@ def test_S2_links_carry_the_status_as_the_viewer_reads_it(own):
         text=True,
         check=True,
     )
-    assert json.loads(done.stdout) == {"version": 1, **status}
+    assert json.loads(done.stdout) == {"version": VERSION, **status}
     assert f"?mesh={own.meshes[0].id}#" in shot.address
 
 
