@@ -82,7 +82,9 @@
  *     readonly bins: number,
  *   },
  * }} Status
- *
+ */
+
+/**
  * A part of a document: any of its settings, at any depth. A list is a value, which a part replaces whole.
  *
  * @template T
@@ -90,5 +92,20 @@
  */
 
 /** @typedef {Part<Status>} PartialStatus */
+
+/**
+ * The settings that are one word out of several, by their paths.
+ *
+ * @typedef {{
+ *   "camera.projection": Status["camera"]["projection"],
+ *   "filters.planes.rule": Status["filters"]["planes"]["rule"],
+ *   "separation.mode": Status["separation"]["mode"],
+ *   "colour.by": Status["colour"]["by"],
+ *   "colour.map": Status["colour"]["map"],
+ *   "lighting.mode": Status["lighting"]["mode"],
+ *   "histogram.orientation": Status["histogram"]["orientation"],
+ *   "histogram.scale": Status["histogram"]["scale"],
+ * }} Choices
+ */
 
 export {};

@@ -7,6 +7,7 @@ writes `static/viewer/state/status.js`, which the viewer is checked with.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +20,9 @@ TEXT = """/**
  * (hexalab.status.schema), from which this file is made: renew it with tests/core/status/status_types.py.
  *
  * @typedef {TYPE} Status
- *
+ */
+
+/**
  * A part of a document: any of its settings, at any depth. A list is a value, which a part replaces whole.
  *
  * @template T
@@ -27,6 +30,13 @@ TEXT = """/**
  */
 
 /** @typedef {Part<Status>} PartialStatus */
+
+/**
+ * The settings that are one word out of several, by their paths.
+ *
+ * @typedef {{
+CHOICES * }} Choices
+ */
 
 export {};
 """
@@ -36,7 +46,18 @@ SCALARS = {"number": "number", "integer": "number", "string": "string", "boolean
 
 def status_types(schema: dict[str, Any] = SCHEMA) -> str:
     """The text of the file."""
-    return TEXT.replace("TYPE", type_of(schema, " * "))
+    choices = "".join(f' *   "{path}": {kind},\n' for path, kind in _choices(schema))
+    return TEXT.replace("TYPE", type_of(schema, " * ")).replace("CHOICES", choices)
+
+
+def _choices(schema: dict[str, Any], path: str = "", kind: str = "Status") -> Iterator[tuple[str, str]]:
+    """The path of each choice, and its type as a part of the whole document's."""
+    for name, part in schema["properties"].items():
+        place, own = f"{path}.{name}" if path else name, f'{kind}["{name}"]'
+        if "enum" in part:
+            yield place, own
+        elif "properties" in part:
+            yield from _choices(part, place, own)
 
 
 def type_of(schema: dict[str, Any], margin: str = "") -> str:
