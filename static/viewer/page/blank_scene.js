@@ -1,6 +1,14 @@
-/** Stands in for the scene where the browser has no WebGL 2: takes everything, draws nothing. */
+/**
+ * Stands in for the scene where the browser has no WebGL 2: takes everything, draws nothing.
+ *
+ * @typedef {import("../scene/types.js").SceneLike} SceneLike
+ *
+ * @implements {SceneLike}
+ */
 export class BlankScene {
+  /** @type {Record<string, number>} */
   timings = {};
+  frames = 0;
   hurried = false;
   outward = false;
   warmUp() {}
@@ -31,6 +39,7 @@ export class BlankScene {
     return { faces: 0, triangles: 0, edges: 0, cells: 0 };
   }
 
+  /** @returns {Promise<Blob>} */
   async screenshot() {
     throw new Error("there is no picture to save: this browser lacks WebGL 2");
   }

@@ -41,6 +41,7 @@ function parts() {
     showPlane: note("plane"),
   };
   const client = {
+    milliseconds: {},
     call: (/** @type {string} */ _, /** @type {() => any[]} */ args) => {
       const [changed, lean] = args();
       return new Promise((answer, fail) => calls.push({ changed, lean, answer, fail }));
