@@ -25,15 +25,15 @@ const client = new CoreClient(
     runtime: new URL(/** @type {string} */ (runtime), document.baseURI),
   }),
 );
-const { scene, problem } = makeScene();
+const { scene, lack } = makeScene();
 const app = new App({ store, facts, client, scene, tables, root: /** @type {string} */ (root) });
 const page = new Page({ store, facts, app, tables }, canvas);
 
 app.start();
-if (problem) app.messages.say("error", problem);
+if (lack) app.messages.say("error", lack);
 new Tools(app, canvas);
 listenToDrops(app);
-listenToKeys(app, page);
+listenToKeys(app, page.dialogs.help);
 listenToClipboard(app);
 
 const api = new HexaLab(app);
@@ -41,15 +41,15 @@ Object.assign(window, { hexalab: api });
 answerMessages(api);
 openWhatTheAddressNames().catch(() => {}); // said in a message by whoever failed
 
-/** @returns {{ scene: any, problem: string }} a scene that draws nothing where the browser lacks WebGL 2 */
+/** @returns {{ scene: import("./scene/scene_like.js").SceneLike, lack: string }} one that draws nothing where the browser lacks WebGL 2 */
 function makeScene() {
   try {
-    return { scene: new Scene(canvas, store.status.camera), problem: "" };
+    return { scene: new Scene(canvas, store.status.camera), lack: "" };
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);
     return {
       scene: new BlankScene(),
-      problem: `This browser can't draw the mesh (WebGL 2: ${reason}); its tables are here all the same`,
+      lack: `This browser can't draw the mesh (WebGL 2: ${reason}); its tables are here all the same`,
     };
   }
 }

@@ -7,7 +7,7 @@ const TRANSPORTS = {
   worker: ({ worker, runtime }) => new WorkerTransport({ worker, runtime }),
 };
 
-/** @type {CoreClient} */
+/** Any method may be tried here. @type {Omit<CoreClient, "call"> & { call: (method: string, args: unknown[]) => Promise<unknown> }} */
 let client;
 
 /** Arrays as {dtype, base64}, all else as it is. @param {unknown} value @returns {unknown} */
@@ -31,7 +31,7 @@ const blockOf = (base64) => Uint8Array.from(atob(base64), (letter) => letter.cha
 Object.assign(window, {
   /** @param {string} way @param {{ worker: string, runtime: string }} place */
   begin: async (way, place) => {
-    client = new CoreClient(TRANSPORTS[way](place));
+    client = /** @type {any} */ (new CoreClient(TRANSPORTS[way](place)));
     await client.ready;
   },
   /** @param {string} method @param {unknown[]} args a file's bytes as {base64} */

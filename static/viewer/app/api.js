@@ -1,9 +1,13 @@
 /**
  * `window.hexalab`: the viewer for scripts, tests and embedding pages (SPEC A3).
  *
- * In an iframe the same methods answer `postMessage`: send `{hexalab: "open", id: 1, args: [url]}` to the frame, and
+ * In an iframe the methods but `restart` answer `postMessage`: send `{hexalab: "open", id: 1, args: [url]}` to the frame, and
  * `{hexalab: "open", id: 1, result}` or `{hexalab: "open", id: 1, error}` comes back. When the viewer is ready it
  * posts `{hexalab: "ready"}` to its parent.
+ *
+ * @typedef {import("../state/facts.js").MeshSummary & Partial<import("../state/answers.js").Description>
+ *   & { shown: { cells: number, faces: number } | null }} Known
+ * @typedef {import("../state/status.js").Status} Status
  */
 export class HexaLab {
   #app;
@@ -21,7 +25,8 @@ export class HexaLab {
    * Open a mesh. The picture stands before the promise resolves: that waits for the slow part of the summary too.
    *
    * @param {File | Blob | string} fileOrUrl a file, an address, or "source/mesh" of the catalogue
-   * @returns {Promise<any>} the mesh's summary: name, vertices, cells, kinds, boundary_faces, ...
+   * @returns {Promise<Known | null>} what is known of the mesh: name, vertices, cells, kinds, boundary_faces, findings, ...; null if
+   *   what was opened holds no mesh, and none was open before
    */
   async open(fileOrUrl) {
     await this.#opened(fileOrUrl);
@@ -41,14 +46,14 @@ export class HexaLab {
     return this.#app.openUrl(fileOrUrl);
   }
 
-  /** Summary of the open mesh, with what the diagnosis knows by now, or null. @returns {any} */
+  /** Summary of the open mesh, with what its description tells by now, or null. @returns {Known | null} */
   summary() {
     const { facts } = this.#app;
     const summary = facts.get("summary");
     return summary ? { ...summary, ...facts.get("description"), shown: facts.get("shown") } : null;
   }
 
-  /** The status document: a copy. @returns {any} */
+  /** The status document: a copy. @returns {Status} */
   getStatus() {
     return structuredClone(this.#app.store.status);
   }
@@ -56,8 +61,8 @@ export class HexaLab {
   /**
    * Apply a whole or partial status document.
    *
-   * @param {any} partial
-   * @returns {Promise<{ path: string, found: string, expected: string }[]>} what was wrong in it, once the rest is applied and drawn
+   * @param {unknown} partial of any version, or the original's
+   * @returns {Promise<import("../state/answers.js").Rejection[]>} what was wrong in it, once the rest is applied and drawn
    */
   async setStatus(partial) {
     const rejections = await this.#app.documents.apply(partial);
@@ -79,16 +84,16 @@ export class HexaLab {
     return this.#app.saving.picture(options);
   }
 
-  /** Statistics of a metric over the mesh. @param {string} metric id @returns {Promise<any>} */
-  quality(metric) {
-    return this.#app.client.call("quality", [metric]);
+  /** Statistics of a metric or an attribute over the mesh. @param {string} quantity id @returns {Promise<import("../state/answers.js").Statistics>} */
+  quality(quantity) {
+    return this.#app.client.call("quality", [quantity]);
   }
 
   /**
    * Draw and measure every mesh of an archive (SPEC B1).
    *
    * @param {Blob} archive a zip of meshes; `name.json` beside a mesh is its own status
-   * @param {any} [status] whole or partial, for all others; the present one without
+   * @param {unknown} [status] whole or partial, for all others; the present one without
    * @param {{ width?: number, height?: number, report?: (done: number, of: number, name: string) => void }} [options]
    * @returns {Promise<Blob>} a zip of pictures, histograms and measurements.csv
    */
@@ -96,7 +101,7 @@ export class HexaLab {
     return this.#app.batch.run(await archive.arrayBuffer(), { ...options, status });
   }
 
-  /** What is drawn at the moment: faces, triangles, edges, cells, and how many frames so far. @returns {any} */
+  /** What is drawn at the moment: faces, triangles, edges, cells, and how many frames so far. @returns {{ faces: number, triangles: number, edges: number, cells: number, frames: number }} */
   drawn() {
     return { ...this.#app.scene.drawn(), frames: this.#app.scene.frames };
   }
@@ -106,12 +111,18 @@ export class HexaLab {
     this.#app.client.restart();
   }
 
-  /** Milliseconds of the last boot, read, topology, quality, surface, upload, first_picture, slice, ambient_occlusion. @returns {Record<string, number>} */
+  /**
+   * Milliseconds of what was done last: boot; read, topology, summary, first_picture of a mesh; describe, quality; filters,
+   * surface, silhouette, irregular, colour, update in the core, slice with its way there; upload, frame, lighting.
+   *
+   * @returns {Record<string, number>}
+   */
   timings() {
     return { ...this.#app.facts.get("timings"), ...this.#app.scene.timings };
   }
 }
 
+/** @type {readonly (keyof HexaLab)[]} */
 const METHODS = [
   "open",
   "summary",
@@ -128,10 +139,12 @@ const METHODS = [
 /** Answer the embedding page. @param {HexaLab} api */
 export function answerMessages(api) {
   window.addEventListener("message", async ({ data, source }) => {
-    if (source !== parent || parent === window || !METHODS.includes(data?.hexalab)) return;
-    const { hexalab: method, id, args = [] } = data;
+    const method = METHODS.find((one) => one === data?.hexalab);
+    if (source !== parent || parent === window || !method) return;
+    const { id, args = [] } = data;
     try {
-      const result = await /** @type {any} */ (api)[method](...args);
+      const call = /** @type {(...args: unknown[]) => unknown} */ (/** @type {unknown} */ (api[method]));
+      const result = await call.apply(api, args);
       parent.postMessage({ hexalab: method, id, result }, "*");
     } catch (error) {
       parent.postMessage(

@@ -19,9 +19,25 @@ import { readStatus } from "../files/png_text.js";
  *     const app = new App({ store, facts, client, scene, tables, root: "../" });
  *     app.start();
  *     await app.openFiles([file]);
+ *
+ * @typedef {object} Parts
+ * @property {import("../state/store.js").StatusStore} store
+ * @property {import("../state/facts.js").Facts} facts
+ * @property {import("../core/client.js").CoreClient} client
+ * @property {import("../scene/scene_like.js").SceneLike} scene
+ * @property {import("../state/tables.js").Tables} tables
+ * @property {string} root address of the site's root, as the page has it
+ *
+ * @typedef {import("../state/facts.js").MeshSummary} MeshSummary
+ * @typedef {import("../widgets/bind.js").Actions} Actions
+ *
+ * @implements {Actions}
  */
 export class App {
-  /** @param {{ store: any, facts: any, client: any, scene: any, tables: any, root: string }} parts */
+  /** The catalogue, once it is there; null if there is none. @type {Promise<Catalogue | null>} */
+  catalogue = Promise.resolve(null);
+
+  /** @param {Parts} parts */
   constructor({ store, facts, client, scene, tables, root }) {
     this.store = store;
     this.facts = facts;
@@ -38,7 +54,6 @@ export class App {
     this.saving = new Saving(this);
     this.opening = new Opening(this);
     this.batch = new Batch(this);
-    facts.set({ core: "starting", tool: "turn", plane: 0, statistics: {}, timings: {} });
   }
 
   /** Wait for the core and the catalogue, and listen to what can go wrong. */
@@ -58,8 +73,9 @@ export class App {
         messages.say("error", `Python could not be started: ${error.message}`);
       },
     );
-    client.addEventListener("identified", (/** @type {CustomEvent} */ { detail }) => {
-      store.set({ mesh: { sha256: detail.sha256 } }, { undo: false });
+    client.addEventListener("identified", (event) => {
+      const { sha256 } = /** @type {CustomEvent<{ sha256: string }>} */ (event).detail;
+      store.set({ mesh: { sha256 } }, { undo: false });
     });
     client.addEventListener("died", () => {
       this.drawing.pause();
@@ -67,7 +83,7 @@ export class App {
       messages.say("warning", "The core stopped and is being started again", { topic: "core" });
     });
     client.addEventListener("restarted", () => this.#restarted());
-    scene.on("camera", (/** @type {any} */ camera) => store.set({ camera }, { undo: "camera" }));
+    scene.on("camera", (camera) => store.set({ camera }, { undo: "camera" }));
     scene.on("cameraend", () => store.seal());
     scene.on("contextlost", () =>
       messages.say(
@@ -106,14 +122,15 @@ export class App {
 
   /** Keep times for `timings()`. @param {Record<string, number | undefined>} times milliseconds */
   note(times) {
-    const known = Object.fromEntries(Object.entries(times).filter(([, value]) => value !== undefined));
-    this.facts.set({ timings: { ...this.facts.get("timings"), ...known } });
+    const timings = { ...this.facts.get("timings") };
+    for (const [name, value] of Object.entries(times)) if (value !== undefined) timings[name] = value;
+    this.facts.set({ timings });
   }
 
   /**
    * Open dropped or chosen files: settings and pictures apply, the first mesh opens under them.
    *
-   * @param {readonly File[]} files @returns {Promise<any>} the mesh's summary, or null if there was none
+   * @param {readonly File[]} files @returns {Promise<MeshSummary | null>} the mesh's summary, or null if there was none
    */
   async openFiles(files) {
     const meshes = [];
@@ -139,14 +156,16 @@ export class App {
     return null;
   }
 
-  /** The mesh in an archive; several are offered as a batch. @param {File} file @returns {Promise<any>} */
+  /** The mesh in an archive; several are offered as a batch. @param {File} file @returns {Promise<MeshSummary | null>} */
   async #openArchive(file) {
     try {
       const buffer = await file.arrayBuffer();
       const meshes = meshesOf(readZip(buffer), this.tables.formats);
       if (!meshes.length) throw new Error("the archive holds no mesh");
-      if (meshes.length > 1)
-        return this.facts.set({ archive: { name: file.name, buffer, count: meshes.length } });
+      if (meshes.length > 1) {
+        this.facts.set({ archive: { name: file.name, buffer, count: meshes.length } });
+        return null;
+      }
       const [{ name, read }] = meshes;
       return await this.opening.open({
         name: name.split("/").pop() ?? name,
@@ -161,7 +180,7 @@ export class App {
     }
   }
 
-  /** @param {any} status */
+  /** @param {object} status */
   async #applied(status) {
     try {
       await this.documents.apply(status);
@@ -170,7 +189,7 @@ export class App {
     }
   }
 
-  /** @param {File} file @param {"status" | "picture"} kind @returns {Promise<any>} */
+  /** @param {File} file @param {"status" | "picture"} kind @returns {Promise<object | null>} */
   async #statusIn(file, kind) {
     try {
       const text = kind === "status" ? await file.text() : await readStatus(await file.arrayBuffer());
@@ -182,7 +201,7 @@ export class App {
     }
   }
 
-  /** @param {string} address @param {any} [status] */
+  /** @param {string} address @param {unknown} [status] */
   async openUrl(address, status) {
     const summary = await this.opening.open({ ...fromUrl(address), status });
     nameInAddress(new URL(address, location.href).href);
@@ -196,12 +215,12 @@ export class App {
     if (source?.meshes.length === 1) this.chooseEntry(slug, source.meshes[0].slug);
   }
 
-  /** The same from a control: what goes wrong has been said in a message. @param {string} source @param {string} mesh @param {any} [status] */
+  /** The same from a control: what goes wrong has been said in a message. @param {string} source @param {string} mesh @param {unknown} [status] */
   chooseEntry(source, mesh, status) {
     this.openEntry(source, mesh, status).catch(() => {});
   }
 
-  /** Open a mesh of the catalogue. @param {string} source @param {string} mesh @param {any} [status] */
+  /** Open a mesh of the catalogue. @param {string} source @param {string} mesh @param {unknown} [status] */
   async openEntry(source, mesh, status) {
     if (!mesh) return null;
     const catalogue = await this.catalogue;
@@ -234,7 +253,7 @@ export class App {
     return this.cells.flyTo(cell);
   }
 
-  /** @param {"dig" | "undig" | "isolate"} action @param {number} cell */
+  /** @param {import("../state/facts.js").PickingTool} action @param {number} cell */
   pick(action, cell) {
     this.cells.pick(action, cell);
   }
@@ -244,7 +263,7 @@ export class App {
     return this.cells.showFinding(finding);
   }
 
-  /** @param {"png" | "svg" | "csv"} format */
+  /** @param {import("../widgets/bind.js").ChartFormat} format */
   saveHistogram(format) {
     return this.saving.saveHistogram(format);
   }

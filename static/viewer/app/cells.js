@@ -2,12 +2,14 @@ import { cameraOnCell } from "../state/camera.js";
 import { quantityOf } from "../state/quantity.js";
 import { dig, isolate, undig } from "../state/picking.js";
 
+/** @typedef {import("../state/facts.js").PickingTool} PickingTool */
+
 /** What can be done to single cells: inspect, fly to, pick, show those of a finding. */
 export class Cells {
   #app;
   #asked = 0;
 
-  /** @param {any} app */
+  /** @param {import("./app.js").App} app */
   constructor(app) {
     this.#app = app;
   }
@@ -58,25 +60,29 @@ export class Cells {
     }
   }
 
-  /** @param {"dig" | "undig" | "isolate"} action @param {number} cell */
+  /** @param {PickingTool} action @param {number} cell */
   pick(action, cell) {
     const { store } = this.#app;
     const { picking } = store.status.filters;
-    const next = { dig, undig, isolate: (/** @type {any} */ _, /** @type {number} */ one) => isolate([one]) }[
-      action
-    ](picking, cell);
+    const next = {
+      dig,
+      undig,
+      isolate: (/** @type {unknown} */ _, /** @type {number} */ one) => isolate([one]),
+    }[action](picking, cell);
     store.seal();
     store.set({ filters: { picking: next } });
   }
 
-  /** What a click on a face does. @param {string} tool @param {{ face: number, cell: number }} hit */
+  /** What a click on a face does. @param {import("../state/facts.js").Tool} tool @param {{ face: number, cell: number }} hit */
   async act(tool, hit) {
     const { client, facts, messages } = this.#app;
     if (tool === "undig") {
-      const behind = await client
-        .call("neighbour", [hit.face])
-        .catch((/** @type {Error} */ error) => messages.error(error, { topic: "pick" }));
-      if (behind >= 0) this.pick("undig", behind);
+      try {
+        const behind = await client.call("neighbour", [hit.face]);
+        if (behind >= 0) this.pick("undig", behind);
+      } catch (error) {
+        messages.error(error, { topic: "pick" });
+      }
       return;
     }
     if (tool === "dig" || tool === "isolate") this.pick(tool, hit.cell);

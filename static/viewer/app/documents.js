@@ -1,18 +1,24 @@
 /**
+ * @typedef {import("../state/answers.js").Rejection} Rejection
+ * @typedef {import("../state/entry.js").Index} Index
+ * @typedef {import("../state/status.js").PartialStatus} PartialStatus
+ */
+
+/**
  * Settings documents that come from outside: files, pictures, the clipboard, a link, the editor, scripts. The core
  * checks each; what is wrong is named and the rest applies.
  */
 export class Documents {
   #app;
 
-  /** @param {any} app */
+  /** @param {import("./app.js").App} app */
   constructor(app) {
     this.#app = app;
   }
 
   /**
-   * @param {any} document whole or partial, ours or the original's
-   * @returns {Promise<{ path: string, found: string, expected: string }[]>} what could not be applied
+   * @param {unknown} document whole or partial, ours or the original's
+   * @returns {Promise<Rejection[]>} what could not be applied
    */
   async apply(document) {
     const { client, store, messages, facts } = this.#app;
@@ -42,7 +48,7 @@ export class Documents {
     return documentText(this.#app.store.status);
   }
 
-  /** @param {{ sha256?: string, name?: string, cells?: number }} mesh */
+  /** @param {NonNullable<PartialStatus["mesh"]>} mesh */
   #isOpen(mesh) {
     const open = this.#app.store.status.mesh;
     return mesh.sha256 && open.sha256
@@ -50,7 +56,7 @@ export class Documents {
       : mesh.name === open.name && mesh.cells === open.cells;
   }
 
-  /** Offer the mesh that the settings were made with, if the catalogue has it. @param {any} mesh @param {any} document @param {any} catalogue */
+  /** Offer the mesh that the settings were made with, if the catalogue has it. @param {NonNullable<PartialStatus["mesh"]>} mesh @param {unknown} document @param {Index | null} catalogue */
   #offer(mesh, document, catalogue) {
     const entry = catalogue?.identified(mesh);
     if (!entry) return;
@@ -65,7 +71,7 @@ export class Documents {
 /**
  * A status as text: version and mesh first, lists of numbers in one line.
  *
- * @param {any} status
+ * @param {object & { version?: unknown, mesh?: unknown }} status
  */
 export function documentText({ version, mesh, ...settings }) {
   const text = JSON.stringify({ version, mesh, ...settings }, null, 2);
@@ -76,7 +82,7 @@ export function documentText({ version, mesh, ...settings }) {
   return `${inOneLine}\n`;
 }
 
-/** @param {string} text @param {string} from @returns {any} */
+/** @param {string} text @param {string} from @returns {object} */
 export function parse(text, from) {
   try {
     const document = JSON.parse(text);
@@ -89,7 +95,7 @@ export function parse(text, from) {
   throw new Error(`${from} holds no settings: found ${text.trim().slice(0, 20)}, expected an object`);
 }
 
-/** @param {readonly { path: string, found: string, expected: string }[]} rejections */
+/** @param {readonly Rejection[]} rejections */
 export function rejectionsInWords(rejections) {
   const named = rejections
     .slice(0, 3)

@@ -3,6 +3,13 @@ import { CoreSettings } from "../state/core_settings.js";
 import { normalised } from "../state/vectors.js";
 
 /**
+ * @typedef {import("../state/answers.js").Update} Update
+ * @typedef {import("../state/status.js").PartialStatus} PartialStatus
+ *
+ * @typedef {Partial<Update> & Pick<Update, "shown_cells" | "shown_faces">} Answer  of the core, or a preview
+ */
+
+/**
  * Status to core to scene: every change goes to the scene at once, and to the core what of it concerns the core, whose
  * records go to the scene when they come. A newer change replaces one that still waits.
  */
@@ -19,7 +26,7 @@ export class Drawing {
   /** @type {Promise<void>} */
   #latest = Promise.resolve();
 
-  /** @param {{ store: any, client: any, scene: any, facts: any, messages: any, tables: import("../state/tables.js").Tables }} parts */
+  /** @param {import("./app.js").Parts & { messages: import("./messages.js").Messages }} parts */
   constructor({ store, client, scene, facts, messages, tables }) {
     this.#store = store;
     this.#client = client;
@@ -28,7 +35,7 @@ export class Drawing {
     this.#messages = messages;
     this.#settings = new CoreSettings(tables.core_paths);
     scene.setStatus(store.status);
-    store.on("*", (/** @type {any} */ status, /** @type {readonly string[]} */ changed) => {
+    store.on("*", (status, changed) => {
       if (!changed.length) return;
       scene.setStatus(status);
       // The translucent plane moves with the answer: a picture of it alone would delay that of the slice.
@@ -39,9 +46,9 @@ export class Drawing {
     scene.on("calm", () => {
       if (this.#ready && this.#lean) this.#latest = this.#ask(true);
     });
-    facts.on("statistics", (/** @type {any} */ statistics) => {
-      const found = statistics?.scaled_jacobian;
-      scene.outward = found !== undefined && found.min > 0 && found.not_finite === 0;
+    facts.on("statistics", (statistics) => {
+      const { min, not_finite } = statistics.scaled_jacobian ?? { min: null };
+      scene.outward = min !== null && min > 0 && not_finite === 0;
     });
   }
 
@@ -73,9 +80,9 @@ export class Drawing {
     await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
   }
 
-  /** Show a surface that was prepared at build time, before the core runs. @param {any} answer */
-  show(answer) {
-    this.#take(answer);
+  /** Show a surface that was prepared at build time, before the core runs. @param {import("../state/answers.js").Preview} preview */
+  show(preview) {
+    this.#take(preview);
   }
 
   /** @param {boolean} [same] nothing has moved: what a lean answer left out is wanted */
@@ -84,11 +91,12 @@ export class Drawing {
       const lean = !same && this.#scene.hurried;
       this.#lean = lean;
       // What has changed is found when the call is sent: one that another replaces takes no change with it.
-      const args = () => [this.#settings.changed(this.#store.status), lean];
+      const args = () =>
+        /** @type {[PartialStatus, boolean]} */ ([this.#settings.changed(this.#store.status), lean]);
       const answer = await this.#client.call("update", args, { replace: "update" });
       this.#messages.settle("update");
       this.#take(answer, same);
-      const slice = this.#client.milliseconds?.update;
+      const slice = this.#client.milliseconds.update;
       const timings = { ...this.#facts.get("timings"), ...answer.timings, slice };
       this.#facts.set({ timings });
     } catch (error) {
@@ -98,19 +106,19 @@ export class Drawing {
     }
   }
 
-  /** @param {any} answer @param {boolean} [same] the surface is the one on the screen, with its edges */
+  /** @param {Answer} answer @param {boolean} [same] the surface is the one on the screen, with its edges */
   #take(answer, same = false) {
     const scene = this.#scene;
     const began = performance.now();
     if (answer.surface) scene.setSurface(answer.surface, same);
     if (answer.silhouette) scene.setSilhouette(answer.silhouette);
     if (answer.irregular) scene.setIrregular(answer.irregular);
-    if ("colour" in answer) scene.setCellColours(answer.colour?.map_position ?? null);
+    if (answer.colour !== undefined) scene.setCellColours(answer.colour?.map_position ?? null);
     const upload = performance.now() - began;
     this.#facts.set({
       shown: { cells: answer.shown_cells, faces: answer.shown_faces },
-      ...("colour" in answer ? { colour: answer.colour } : {}),
-      ...(answer.irregular?.counts ? { irregular: answer.irregular.counts } : {}),
+      ...(answer.colour !== undefined ? { colour: answer.colour } : {}),
+      ...(answer.irregular ? { irregular: answer.irregular.counts } : {}),
       ...(answer.max_depth !== undefined && answer.max_depth !== null
         ? { layers: answer.max_depth + 1 }
         : {}),
@@ -124,10 +132,10 @@ export class Drawing {
   /** The translucent plane, while its slider is held. */
   #showPlane() {
     const { items } = this.#store.status.filters.planes;
-    const index = this.#facts.get("plane") ?? 0;
+    const index = this.#facts.get("plane");
     const plane = items[Math.min(index, items.length - 1)];
     if (!plane || !this.#facts.get("planeShown")) return this.#scene.showPlane(null);
-    const extent = this.#facts.get("planeRanges")?.[index] ?? undefined;
+    const extent = this.#facts.get("planeRanges")[index] ?? undefined;
     this.#scene.showPlane({ normal: normalised(plane.normal), offset: plane.offset, extent });
   }
 }

@@ -1,6 +1,8 @@
 import { Superseded } from "../core/client.js";
 import { quantityOf } from "../state/quantity.js";
 
+/** @typedef {import("../core/types.js").Methods} Methods */
+
 /**
  * Keeps statistics, histogram and the mesh's description up to date: each is asked for after the picture stands, and
  * again when what it is about changes.
@@ -8,7 +10,7 @@ import { quantityOf } from "../state/quantity.js";
 export class Measures {
   #app;
 
-  /** @param {any} app */
+  /** @param {import("./app.js").App} app */
   constructor(app) {
     this.#app = app;
     app.store.on("colour", () => this.#measure());
@@ -30,9 +32,9 @@ export class Measures {
     const summary = facts.get("summary");
     let describe = 0;
     for (const part of tables.described) {
-      const found = await this.#ask("describe", [part], "describe");
+      const found = await this.#ask("describe", [part]);
       if (!found || facts.get("summary") !== summary) return;
-      describe += client.milliseconds?.describe ?? 0;
+      describe += client.milliseconds.describe ?? 0;
       facts.set({ description: { ...facts.get("description"), ...found } });
       if (found.cells_per_depth) facts.set({ layers: found.cells_per_depth.length });
       if (part === "edges") await drawing.update();
@@ -55,20 +57,24 @@ export class Measures {
     const asked = JSON.stringify([bins, store.status.colour.range]);
     const known = facts.get("histogram");
     if (known?.quantity === id && known.asked === asked) return;
-    const statistics = facts.get("statistics")?.[id] ?? (await this.#ask("quality", [id], "quality"));
-    const histogram = await this.#ask("histogram", [id, bins], "histogram");
+    const statistics = facts.get("statistics")[id] ?? (await this.#ask("quality", [id]));
+    const histogram = await this.#ask("histogram", [id, bins]);
     if (!histogram || facts.get("summary") !== summary || quantityOf(this.#app).id !== id) return;
     facts.set({
       statistics: { ...facts.get("statistics"), ...(statistics ? { [id]: statistics } : {}) },
-      histogram: { ...histogram, quantity: id, asked },
+      histogram: { ...histogram, asked },
     });
-    this.#app.note({ quality: client.milliseconds?.quality });
+    this.#app.note({ quality: client.milliseconds.quality });
   }
 
-  /** @param {string} method @param {any[]} args @param {string} replace @returns {Promise<any>} null if it was superseded or failed */
-  async #ask(method, args, replace) {
+  /**
+   * @template {keyof Methods} Method
+   * @param {Method} method @param {Methods[Method]["args"]} args
+   * @returns {Promise<Methods[Method]["answer"] | null>} null if it was superseded or failed
+   */
+  async #ask(method, args) {
     try {
-      return await this.#app.client.call(method, args, { replace });
+      return await this.#app.client.call(method, args, { replace: method });
     } catch (error) {
       if (!(error instanceof Superseded)) this.#app.messages.error(error, { topic: method });
       return null;

@@ -1,8 +1,6 @@
-/**
- * Messages that stay until they are read: no dialogs, no alerts.
- *
- * @typedef {{ id: number, severity: "error" | "warning" | "note", text: string, action?: { name: string, press: () => void }, topic?: string }} Message
- */
+/** @typedef {import("../state/facts.js").Message} Message */
+
+/** Messages that stay until they are read: no dialogs, no alerts. */
 export class Messages {
   #facts;
   #last = 0;
@@ -39,7 +37,7 @@ export class Messages {
       this.#facts.set({ messages: this.#all.filter((one) => one.topic !== topic) });
   }
 
-  /** @returns {Message[]} */
+  /** @returns {readonly Message[]} */
   get #all() {
     return this.#facts.get("messages");
   }

@@ -9,8 +9,11 @@ import { count } from "../state/numbers.js";
  * @typedef {object} Origin
  * @property {string} name
  * @property {(report: (fraction: number | null, text?: string) => void) => Promise<ArrayBuffer>} bytes
- * @property {{ source: any, mesh: any } | null} [entry] of the catalogue
- * @property {any} [status] partial document to apply with the mesh
+ * @property {import("../state/entry.js").Entry | null} [entry] of the catalogue
+ * @property {unknown} [status] partial document to apply with the mesh
+ *
+ * @typedef {import("../state/answers.js").Summary} Summary
+ * @typedef {import("../state/facts.js").MeshSummary} MeshSummary
  */
 
 /** @param {File} file @returns {Origin} */
@@ -36,14 +39,14 @@ export class Opening {
   /** What the core holds: another mesh than the screen shows, from when a newer one is asked for until that is there. @type {Origin | null} */
   #held = null;
 
-  /** @param {any} app */
+  /** @param {import("./app.js").App} app */
   constructor(app) {
     this.#app = app;
   }
 
   /**
    * @param {Origin} origin
-   * @returns {Promise<any>} the mesh's summary
+   * @returns {Promise<Summary>} the mesh's summary
    * @throws {Superseded} if another mesh was opened meanwhile
    * @throws {Error} what could not be read, in words that were also shown
    */
@@ -105,7 +108,7 @@ export class Opening {
   /**
    * Make a mesh the one on the screen.
    *
-   * @param {Origin} origin @param {any} summary @param {boolean} previewed whether its preview is on the screen already
+   * @param {Origin} origin @param {Summary} summary @param {boolean} previewed whether its preview is on the screen already
    */
   async #begin(origin, summary, previewed) {
     const { facts, drawing, documents } = this.#app;
@@ -118,13 +121,12 @@ export class Opening {
     await drawing.drawn();
   }
 
-  /** Clear away what belonged to the mesh before. @param {Origin} origin @param {any} summary */
+  /** Clear away what belonged to the mesh before. @param {Origin} origin @param {MeshSummary} summary */
   #enter(origin, summary) {
     const { facts, store, scene, drawing } = this.#app;
     const { filters, camera } = store.defaults;
     const { by, attribute } = store.status.colour;
-    const known =
-      by !== "attribute" || summary.attributes?.some((/** @type {any} */ one) => one.id === attribute);
+    const known = by !== "attribute" || summary.attributes?.some((one) => one.id === attribute);
     drawing.pause();
     store.set(
       { filters, camera, colour: { range: null, ...(known ? {} : { by: "sides", attribute: "" }) } },
@@ -149,7 +151,7 @@ export class Opening {
     });
   }
 
-  /** @param {Origin} origin @param {any} summary */
+  /** @param {Origin} origin @param {Summary} summary */
   #identify(origin, summary) {
     const sha256 = origin.entry?.mesh.sha256 ?? "";
     this.#app.store.set({ mesh: { name: origin.name, cells: summary.cells, sha256 } }, { undo: false });
@@ -160,7 +162,9 @@ export class Opening {
     const address = origin.entry?.mesh.preview;
     if (!address || this.#app.facts.get("core") === "ready") return false;
     try {
-      const packed = unpack(await download(address, () => {}));
+      const packed = /** @type {import("../state/answers.js").Preview} */ (
+        /** @type {unknown} */ (unpack(await download(address, () => {})))
+      );
       current();
       if (this.#app.facts.get("core") === "ready") return false;
       this.#enter(origin, packed.summary);

@@ -4,6 +4,8 @@ import { quantityOf } from "../state/quantity.js";
 import { writeStatus } from "../files/png_text.js";
 import { statusToHash } from "../state/link.js";
 
+/** @typedef {import("../widgets/bind.js").ChartFormat} ChartFormat */
+
 /** Hand a file to the user. @param {Blob} blob @param {string} name */
 export function saveFile(blob, name) {
   const link = document.createElement("a");
@@ -17,7 +19,7 @@ export function saveFile(blob, name) {
 export class Saving {
   #app;
 
-  /** @param {any} app */
+  /** @param {import("./app.js").App} app */
   constructor(app) {
     this.#app = app;
   }
@@ -46,7 +48,7 @@ export class Saving {
     );
   }
 
-  /** @param {"png" | "svg" | "csv"} format */
+  /** @param {ChartFormat} format */
   async saveHistogram(format) {
     await this.#tried(async () => {
       const blob = await this.histogram(format);
@@ -55,7 +57,7 @@ export class Saving {
     });
   }
 
-  /** The histogram as a file; a PNG carries the status. @param {"png" | "svg" | "csv"} format @returns {Promise<Blob | null>} */
+  /** The histogram as a file; a PNG carries the status. @param {ChartFormat} format @returns {Promise<Blob | null>} */
   async histogram(format) {
     const { store, facts } = this.#app;
     const data = facts.get("histogram");

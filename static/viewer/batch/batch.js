@@ -6,12 +6,22 @@ import { readZip, writeZip } from "../files/zip.js";
  * under the one beside the mesh (`name.json` or `name.txt`). A mesh that fails is told in the table; the rest goes on.
  *
  * @typedef {import("../files/zip.js").Entry} Entry
- * @typedef {{ width?: number, height?: number, status?: any, signal?: AbortSignal,
+ * @typedef {{ width?: number, height?: number, status?: unknown, signal?: AbortSignal,
  *   report?: (done: number, of: number, name: string) => void }} Options
  * @typedef {Record<string, string | number>} Row
+ * @typedef {import("../state/answers.js").Summary} Summary
+ *
+ * @typedef {object} Host  what a batch needs of the application
+ * @property {{ status: unknown }} store
+ * @property {Pick<import("../state/tables.js").Tables, "formats" | "metrics" | "statistics">} tables
+ * @property {Pick<import("../state/facts.js").Facts, "get">} facts
+ * @property {Pick<import("../core/client.js").CoreClient, "call">} client
+ * @property {{ open: (origin: { name: string, bytes: () => Promise<ArrayBuffer>, status: unknown }) => Promise<Summary> }} opening
+ * @property {{ drawn: () => Promise<void> }} drawing
+ * @property {{ measured: () => Promise<void> }} measures
+ * @property {{ settle: (topic: string) => void }} messages
+ * @property {{ picture: (size: { width?: number, height?: number }) => Promise<Blob>, histogram: (format: "png") => Promise<Blob | null> }} saving
  */
-
-const STATISTICS = ["min", "max", "mean", "median", "variance", "not_finite", "outside_acceptable"];
 
 /** @param {Entry[]} entries @param {readonly { extensions: readonly string[] }[]} formats @returns {Entry[]} the meshes among them */
 export function meshesOf(entries, formats) {
@@ -43,11 +53,11 @@ export function toCsv(rows) {
 }
 
 export class Batch {
-  #app;
+  #host;
 
-  /** @param {any} app */
-  constructor(app) {
-    this.#app = app;
+  /** @param {Host} host */
+  constructor(host) {
+    this.#host = host;
   }
 
   /**
@@ -57,9 +67,9 @@ export class Batch {
    */
   async run(archive, { width, height, status, signal, report } = {}) {
     const entries = readZip(archive);
-    const meshes = meshesOf(entries, this.#app.tables.formats);
+    const meshes = meshesOf(entries, this.#host.tables.formats);
     if (!meshes.length) throw new Error("the archive holds no mesh");
-    const common = status ?? this.#app.store.status;
+    const common = status ?? this.#host.store.status;
     const files = [];
     const rows = [];
     for (const [index, mesh] of meshes.entries()) {
@@ -74,7 +84,7 @@ export class Batch {
     return writeZip(files);
   }
 
-  /** @param {Entry} mesh @param {Entry[]} entries @param {any} common @param {{ width?: number, height?: number }} size */
+  /** @param {Entry} mesh @param {Entry[]} entries @param {unknown} common @param {{ width?: number, height?: number }} size */
   async #one(mesh, entries, common, size) {
     const stem = stemOf(mesh.name);
     try {
@@ -82,12 +92,13 @@ export class Batch {
       const status = own ? JSON.parse(new TextDecoder().decode(await own.read())) : common;
       const { buffer } = await mesh.read();
       const summary = await this.#open(mesh.name, buffer, status);
-      const made = [{ name: `${stem}.png`, bytes: await bytesOf(await this.#app.saving.picture(size)) }];
-      await this.#app.measures.measured();
-      const histogram = await this.#app.saving.histogram("png");
+      const made = [{ name: `${stem}.png`, bytes: await bytesOf(await this.#host.saving.picture(size)) }];
+      await this.#host.measures.measured();
+      const histogram = await this.#host.saving.histogram("png");
+      const { quantity = "" } = this.#host.facts.get("histogram") ?? {};
       if (histogram)
         made.push({
-          name: `${stem}-${this.#app.facts.get("histogram").quantity.replace(/[^\w-]+/g, "-")}.png`,
+          name: `${stem}-${quantity.replace(/[^\w-]+/g, "-")}.png`,
           bytes: await bytesOf(histogram),
         });
       return { row: { ...rowOf(mesh.name, summary), ...(await this.#measure()) }, made };
@@ -102,9 +113,9 @@ export class Batch {
     }
   }
 
-  /** @param {string} name @param {ArrayBuffer} bytes @param {any} status */
+  /** @param {string} name @param {ArrayBuffer} bytes @param {unknown} status */
   async #open(name, bytes, status) {
-    const { opening, drawing, messages } = this.#app;
+    const { opening, drawing, messages } = this.#host;
     const file = name.split("/").pop() ?? name;
     const summary = await opening.open({ name: file, bytes: async () => bytes.slice(0), status });
     messages.settle("offer");
@@ -116,15 +127,15 @@ export class Batch {
   async #measure() {
     /** @type {Row} */
     const row = {};
-    for (const { id } of this.#app.tables.metrics) {
-      const statistics = await this.#app.client.call("quality", [id]);
-      for (const name of STATISTICS) row[`${id}_${name}`] = statistics[name] ?? "";
+    for (const { id } of this.#host.tables.metrics) {
+      const statistics = await this.#host.client.call("quality", [id]);
+      for (const name of this.#host.tables.statistics) row[`${id}_${name}`] = statistics[name] ?? "";
     }
     return row;
   }
 }
 
-/** @param {string} name @param {any} summary @returns {Row} */
+/** @param {string} name @param {Summary} summary @returns {Row} */
 function rowOf(name, { vertices, cells, boundary_faces }) {
   return { name, problem: "", vertices, cells, boundary_faces };
 }

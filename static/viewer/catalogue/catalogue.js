@@ -1,14 +1,17 @@
 /**
  * The catalogue's machine index for the viewer.
  *
- * @typedef {{ slug: string, name: string, cells: number, url: string, remote: boolean, bytes?: number, sha256?: string, preview?: string }} CatalogueMesh
- * @typedef {{ slug: string, title: string, authors: any, year?: number, venue?: string, doi?: string, pdf?: string, web?: string, meshes: CatalogueMesh[] }} CatalogueSource
+ * @typedef {import("../state/entry.js").CatalogueSource} CatalogueSource
+ * @typedef {import("../state/entry.js").Entry} Entry
+ * @typedef {import("../state/entry.js").Index} Index
+ *
+ * @implements {Index}
  */
 export class Catalogue {
   /** @type {readonly CatalogueSource[]} */
   sources;
 
-  /** @param {{ sources: CatalogueSource[] }} index @param {string} root address of the site's root: the index's addresses are relative to it */
+  /** @param {{ sources: readonly CatalogueSource[] }} index @param {string} root address of the site's root: the index's addresses are relative to it */
   constructor(index, root) {
     const absolute = (/** @type {string | undefined} */ address) =>
       address ? new URL(address, root).href : address;
@@ -30,19 +33,19 @@ export class Catalogue {
     return new Catalogue(await answer.json(), root);
   }
 
-  /** @param {string} slug */
+  /** @param {string} slug @returns {CatalogueSource | null} */
   source(slug) {
     return this.sources.find((source) => source.slug === slug) ?? null;
   }
 
-  /** @param {string} source @param {string} mesh slugs */
+  /** @param {string} source @param {string} mesh slugs @returns {Entry | null} */
   entry(source, mesh) {
     const found = this.source(source);
     const row = found?.meshes.find((one) => one.slug === mesh);
     return found && row ? { source: found, mesh: row } : null;
   }
 
-  /** The mesh that a status document was made of. @param {{ sha256?: string, name?: string, cells?: number }} identity */
+  /** The mesh that a status document was made of. @param {{ sha256?: string, name?: string, cells?: number }} identity @returns {Entry | null} */
   identified({ sha256, name, cells }) {
     for (const source of this.sources) {
       for (const mesh of source.meshes) {
@@ -56,7 +59,7 @@ export class Catalogue {
     return null;
   }
 
-  /** The entry some steps further in the same source. @param {{ source: CatalogueSource, mesh: CatalogueMesh }} entry @param {number} step */
+  /** The entry some steps further in the same source. @param {Entry} entry @param {number} step @returns {Entry | null} */
   beside(entry, step) {
     const { meshes } = entry.source;
     const at = meshes.findIndex((mesh) => mesh.slug === entry.mesh.slug) + step;

@@ -4,7 +4,7 @@ import { along, valueUnder } from "./histogram_layout.js";
 
 /**
  * @typedef {import("./histogram_layout.js").Layout} Layout
- * @typedef {import("../state/quality_filter.js").Item} Item
+ * @typedef {import("../state/quality_filter.js").Band} Band
  * @typedef {"minimum" | "maximum"} End
  */
 
@@ -16,7 +16,7 @@ const CLICK = 3;
  * over the bars, and nothing hidden after a double click.
  *
  * @param {SVGElement} svg
- * @param {{ band: () => Item | undefined, write: (item: Item | null, undo: string) => void, done: () => void, quantity: () => string }} filter
+ * @param {{ band: () => Band | undefined, write: (band: Band | null, undo: string) => void, done: () => void, quantity: () => string }} filter
  */
 export function brush(svg, filter) {
   const still = s("g");
@@ -104,7 +104,7 @@ export function brush(svg, filter) {
     return element;
   }
 
-  /** What the band hides, dimmed. @param {Layout} at @param {Item} band */
+  /** What the band hides, dimmed. @param {Layout} at @param {Band} band */
   function shade(at, band) {
     const { plot, upright, low, high } = at;
     const [a, b] = [band.minimum ?? low, band.maximum ?? high].map((value) => along(at, value));

@@ -18,7 +18,7 @@ export function toSvg(data, { orientation, scale, title, colour, acceptable }) {
   const heading = 24;
   const layout = layOut(data, { width, height: height - heading, orientation, scale });
   const look = { colour, ink: "#1d1f23", quiet: "#5d6167", line: "#1d1f23", acceptable };
-  const drawing = s(
+  const svg = s(
     "svg",
     {
       xmlns: "http://www.w3.org/2000/svg",
@@ -31,7 +31,7 @@ export function toSvg(data, { orientation, scale, title, colour, acceptable }) {
     s("text", { x: 8, y: 18, "font-size": 13, fill: look.ink }, title),
     s("g", { transform: `translate(0 ${heading})` }, ...marks(layout, data, look)),
   );
-  return new XMLSerializer().serializeToString(drawing);
+  return new XMLSerializer().serializeToString(svg);
 }
 
 /** One row per bin: lower edge, upper edge, count. @param {HistogramData} data @returns {string} */

@@ -45,8 +45,12 @@ export class CoreError extends Error {
 }
 
 /**
+ * @typedef {import("./types.js").Methods} Methods
+ *
  * @typedef {{ id: number, method: string, args: readonly unknown[] | (() => readonly unknown[]), replace?: string,
- *   resolve: (value: any) => void, reject: (error: Error) => void }} Call
+ *   resolve: (value: unknown) => void, reject: (error: Error) => void }} Call
+ *
+ * @typedef {{ interpreter: number, core: number }} Start  milliseconds of the core's start
  */
 
 export class CoreClient extends EventTarget {
@@ -67,13 +71,15 @@ export class CoreClient extends EventTarget {
   constructor(transport) {
     super();
     this.#transport = transport;
-    this.#start();
+    /** Settles when the core runs. */
+    this.ready = this.#start();
   }
 
+  /** @returns {Promise<Start>} */
   #start() {
     this.#booted = false;
-    /** Settles when the core runs: milliseconds of its start. @type {Promise<{ interpreter: number, core: number }>} */
-    this.ready = new Promise((resolve, reject) => {
+    /** @type {Promise<Start>} */
+    const ready = new Promise((resolve, reject) => {
       this.#transport.start({
         ready: (timings) => {
           this.#booted = true;
@@ -92,24 +98,29 @@ export class CoreClient extends EventTarget {
         },
       });
     });
-    this.ready.catch((error) => this.#fail(error));
+    ready.catch((error) => this.#fail(error));
+    return ready;
   }
 
   /**
    * Call a method of `Session`.
    *
-   * @param {string} method
-   * @param {Call["args"]} [args] ArrayBuffers among them are handed over, not copied; a function makes them when the call is sent
+   * @template {keyof Methods} Method
+   * @param {Method} method
+   * @param {Methods[Method]["args"] | (() => Methods[Method]["args"])} [args] ArrayBuffers among them are handed over, not copied;
+   *   a function makes them when the call is sent
    * @param {{ replace?: string }} [options]
-   * @returns {Promise<any>}
+   * @returns {Promise<Methods[Method]["answer"]>}
    */
-  call(method, args = [], { replace } = {}) {
+  call(method, args, { replace } = {}) {
     return new Promise((resolve, reject) => {
       if (replace !== undefined) {
         const index = this.#waiting.findIndex((call) => call.replace === replace);
         if (index >= 0) this.#waiting.splice(index, 1)[0].reject(new Superseded());
       }
-      this.#waiting.push({ id: ++this.#sequence, method, args, replace, resolve, reject });
+      const answered = /** @type {(value: unknown) => void} */ (resolve);
+      const call = { id: ++this.#sequence, method, args: args ?? [], replace, resolve: answered, reject };
+      this.#waiting.push(call);
       this.#next();
     });
   }
@@ -124,8 +135,8 @@ export class CoreClient extends EventTarget {
     this.#transport.stop();
     this.dispatchEvent(new Event("died"));
     this.#fail(new CoreError({ kind: "WorkerError", message: "The core stopped and was started again." }));
-    this.#start();
-    this.ready?.then(() => this.dispatchEvent(new Event("restarted"))).catch(() => {});
+    this.ready = this.#start();
+    this.ready.then(() => this.dispatchEvent(new Event("restarted"))).catch(() => {});
   }
 
   dispose() {

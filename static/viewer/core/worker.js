@@ -5,11 +5,20 @@
  * File bytes come in as an ArrayBuffer and are copied once into Python.
  *
  * @typedef {import("./question.js").Question} Question
+ *
+ * @typedef {object} Laid  an answer that is laid out in Python (`hexalab.packing.Packed`)
+ * @property {number} size
+ * @property {{ toJs: () => Uint8Array }} head
+ * @property {Iterable<[offset: number, array: PythonArray] & Passing>} arrays
+ *
+ * @typedef {{ destroy: () => void }} Passing  what Python holds for us until it is given back
+ * @typedef {Passing & { getBuffer: (kind: "u8") => { data: Uint8Array, release: () => void } }} PythonArray
+ * @typedef {{ answer: (method: string, text: string, blocks: Passing) => Laid & Passing }} Door
  */
 
-/** @type {any} */
+/** @type {import("pyodide").PyodideAPI} */
 let pyodide;
-/** @type {any} */
+/** @type {Door} */
 let door;
 /** Whether a question has come yet. */
 let asked = false;
@@ -41,17 +50,17 @@ async function boot(runtime) {
 }
 
 /**
- * The block that a laid-out answer makes (`hexalab.packing.Packed`).
+ * The block that an answer makes.
  *
- * @param {any} packed
+ * @param {Laid} laidOut
  * @returns {ArrayBuffer}
  */
-function joined(packed) {
-  const block = new Uint8Array(packed.size);
-  const head = packed.head.toJs();
+function joined(laidOut) {
+  const block = new Uint8Array(laidOut.size);
+  const head = laidOut.head.toJs();
   block.set(head);
-  for (const row of packed.arrays) {
-    const [offset, array] = row;
+  for (const row of laidOut.arrays) {
+    const [offset, array] = row; // not [...row]: an iterator at its end destroys what it has given
     const buffer = array.getBuffer("u8");
     block.set(buffer.data, head.length + offset);
     buffer.release();
@@ -92,9 +101,11 @@ async function identify() {
   postMessage({ id, sha256 });
 }
 
-/** @param {any} error @returns {{ kind: string, message: string }} */
+/** @param {unknown} error @returns {{ kind: string, message: string }} */
 function described(error) {
-  return { kind: error?.name ?? "Error", message: String(error?.message ?? error) };
+  return error instanceof Error
+    ? { kind: error.name, message: error.message }
+    : { kind: "Error", message: String(error) };
 }
 
 self.onmessage = async ({ data }) => {

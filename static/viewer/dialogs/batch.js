@@ -45,7 +45,9 @@ export function batchDialog(context) {
   }
 
   async function run() {
-    const { name, buffer } = facts.get("archive");
+    const archive = facts.get("archive");
+    if (!archive) return;
+    const { name, buffer } = archive;
     running = new AbortController();
     start.disabled = true;
     stop.hidden = false;

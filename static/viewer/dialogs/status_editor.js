@@ -11,29 +11,29 @@ export function statusDialog({ app }) {
     autocomplete: "off",
     "aria-label": "Settings as JSON",
   });
-  const problem = h("p", { class: "problem", role: "alert" });
+  const wrong = h("p", { class: "problem", role: "alert" });
   const apply = h("button", { type: "button", class: "button button-strong", onclick: run }, "Apply");
   const again = h("button", { type: "button", class: "button", onclick: fill }, "Take the present ones");
 
   function fill() {
     text.value = app.documents.text();
-    problem.textContent = "";
+    wrong.textContent = "";
   }
 
   async function run() {
     try {
       const rejections = await app.documents.apply(parse(text.value, "the text"));
-      problem.textContent = rejections.length ? rejectionsInWords(rejections) : "";
+      wrong.textContent = rejections.length ? rejectionsInWords(rejections) : "";
       if (!rejections.length) element.close();
     } catch (error) {
-      problem.textContent = error instanceof Error ? error.message : String(error);
+      wrong.textContent = error instanceof Error ? error.message : String(error);
     }
   }
 
   const element = dialog(
     "status-editor",
     "Settings",
-    [text, problem, h("div", { class: "dialog-end" }, again, apply)],
+    [text, wrong, h("div", { class: "dialog-end" }, again, apply)],
     fill,
   );
   return element;

@@ -4,8 +4,8 @@ import { isTyping } from "./typing.js";
 /** Controls that use Enter themselves. */
 const PRESSABLE = "button, a, summary, input, select";
 
-/** @param {import("../app/app.js").App} app @param {import("../page/page.js").Page} page */
-export function listenToKeys(app, page) {
+/** @param {import("../app/app.js").App} app @param {{ showModal: () => void }} help the cheat sheet */
+export function listenToKeys(app, help) {
   window.addEventListener("keydown", (event) => {
     if (
       event.defaultPrevented ||
@@ -20,7 +20,7 @@ export function listenToKeys(app, page) {
     const name = nameOfKey(event);
     if (name === "?" || name === "h") {
       event.preventDefault();
-      page.dialogs.help.showModal();
+      help.showModal();
       return;
     }
     const row = KEYS.find(({ keys }) => keys.includes(name));

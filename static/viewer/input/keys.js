@@ -1,10 +1,12 @@
 import { VIEWS, zoomedCamera } from "../state/camera.js";
-import { fromView, inverted, withPlane } from "../state/planes.js";
+import { toggleTool } from "../state/picking.js";
+import { fromView, inverted, planesOf, withPlane } from "../state/planes.js";
 
 /**
  * The keyboard as a table, F3D's keys where they fit. The cheat sheet is made from it.
  *
  * @typedef {import("../app/app.js").App} App
+ * @typedef {import("../state/planes.js").Plane} Plane
  * @typedef {{ keys: readonly string[], group: string, what: string, press: (app: App, event: KeyboardEvent) => void }} KeyRow
  *   `keys` as in KeyboardEvent.key, "Ctrl+" before it where that is held
  */
@@ -20,19 +22,18 @@ function unfold(section) {
   if (element.open) element.scrollIntoView({ block: "nearest" });
 }
 
-/** @param {string} tool @returns {KeyRow["press"]} */
-const toggleTool =
+/** @param {import("../state/facts.js").Tool} tool @returns {KeyRow["press"]} */
+const take =
   (tool) =>
   ({ facts }) =>
-    facts.set({ tool: facts.get("tool") === tool ? "turn" : tool });
+    toggleTool(facts, tool);
 
-/** @param {App} app @param {(plane: any) => any} change */
-function changePlane({ store, facts }, change) {
-  const { items } = store.status.filters.planes;
-  const index = Math.min(facts.get("plane"), items.length - 1);
-  if (items[index])
-    store.set({
-      filters: { planes: { enabled: true, items: withPlane(items, index, change(items[index])) } },
+/** @param {App} app @param {(plane: Plane) => Partial<Plane>} change */
+function changePlane(app, change) {
+  const { planes, index } = planesOf(app);
+  if (planes[index])
+    app.store.set({
+      filters: { planes: { enabled: true, items: withPlane(planes, index, change(planes[index])) } },
     });
 }
 
@@ -64,18 +65,18 @@ export const KEYS = [
   { group: "Filters", keys: ["f"], what: "Invert the slice", press: (app) => changePlane(app, inverted) },
   { group: "Filters", keys: ["]"], what: "Slice further", press: slideBy(0.01) },
   { group: "Filters", keys: ["["], what: "Slice back", press: slideBy(-0.01) },
-  { group: "Filters", keys: ["d"], what: "Dig: click hides a cell (or hold ctrl)", press: toggleTool("dig") },
+  { group: "Filters", keys: ["d"], what: "Dig: click hides a cell (or hold ctrl)", press: take("dig") },
   {
     group: "Filters",
     keys: ["u"],
     what: "Undig: click shows the cell behind (or hold shift)",
-    press: toggleTool("undig"),
+    press: take("undig"),
   },
   {
     group: "Filters",
     keys: ["j"],
     what: "Isolate: click hides all other cells",
-    press: toggleTool("isolate"),
+    press: take("isolate"),
   },
   {
     group: "Filters",
@@ -87,28 +88,26 @@ export const KEYS = [
     group: "Drawing",
     keys: ["e"],
     what: "Separation: next mode",
-    press: ({ store }) =>
+    press: ({ store, tables }) =>
       void store.set({
-        separation: {
-          mode: next(["lines", "darkness_coded_edges", "fissure", "rounded"], store.status.separation.mode),
-        },
+        separation: { mode: next(tables.choices["separation.mode"], store.status.separation.mode) },
       }),
   },
   {
     group: "Drawing",
     keys: ["c"],
     what: "Colour: sides, quality, kind",
-    press: ({ store }) =>
-      void store.set({ colour: { by: next(["sides", "quality", "kind"], store.status.colour.by) } }),
+    press: ({ store, tables }) => {
+      const ways = tables.choices["colour.by"].filter((by) => by !== "attribute"); // which the mesh may lack
+      store.set({ colour: { by: next(ways, store.status.colour.by) } });
+    },
   },
   {
     group: "Drawing",
     keys: ["y"],
     what: "Colour map: next",
-    press: ({ store }) =>
-      void store.set({
-        colour: { map: next(["parula", "viridis", "jet", "red_blue"], store.status.colour.map) },
-      }),
+    press: ({ store, tables }) =>
+      void store.set({ colour: { map: next(tables.choices["colour.map"], store.status.colour.map) } }),
   },
   {
     group: "Drawing",
@@ -118,7 +117,7 @@ export const KEYS = [
       void store.set({
         colour: {
           metric: next(
-            tables.metrics.map((/** @type {{ id: string }} */ metric) => metric.id),
+            tables.metrics.map((metric) => metric.id),
             store.status.colour.metric,
           ),
           range: null,
@@ -129,7 +128,10 @@ export const KEYS = [
     group: "Drawing",
     keys: ["i"],
     what: "Irregular edges: next step",
-    press: ({ store }) => void store.set({ irregular: { mode: (store.status.irregular.mode + 1) % 7 } }),
+    press: ({ store, tables }) => {
+      const [, last] = tables.limits["irregular.mode"];
+      store.set({ irregular: { mode: (store.status.irregular.mode + 1) % (last + 1) } });
+    },
   },
   {
     group: "Drawing",
@@ -152,9 +154,9 @@ export const KEYS = [
     group: "View",
     keys: ["5"],
     what: "Perspective, orthographic",
-    press: ({ store }) =>
+    press: ({ store, tables }) =>
       void store.set({
-        camera: { projection: next(["perspective", "orthographic"], store.status.camera.projection) },
+        camera: { projection: next(tables.choices["camera.projection"], store.status.camera.projection) },
       }),
   },
   {

@@ -8,6 +8,7 @@ const REST = 120;
 export class Tools {
   #app;
   #canvas;
+  /** @type {import("../state/facts.js").PickingTool | ""} */
   #held = "";
   /** @type {{ x: number, y: number } | null} */
   #place = null;
@@ -21,8 +22,8 @@ export class Tools {
   constructor(app, canvas) {
     this.#app = app;
     this.#canvas = canvas;
-    app.scene.on("click", (/** @type {any} */ at) => this.#click(at));
-    app.scene.on("hover", (/** @type {any} */ at) => this.#hover(at));
+    app.scene.on("click", (at) => this.#click(at));
+    app.scene.on("hover", (at) => this.#hover(at));
     app.facts.on("tool", () => this.#show());
     window.addEventListener("keydown", (event) => this.#hold(event));
     window.addEventListener("keyup", (event) => this.#hold(event));
@@ -40,7 +41,7 @@ export class Tools {
     this.#setHeld(ctrlKey || metaKey ? "dig" : shiftKey ? "undig" : "");
   }
 
-  /** @param {string} held */
+  /** @param {import("../state/facts.js").PickingTool | ""} held */
   #setHeld(held) {
     if (held === this.#held) return;
     this.#held = held;
@@ -59,7 +60,7 @@ export class Tools {
       event.ctrlKey || event.metaKey ? "dig" : event.shiftKey ? "undig" : this.#app.facts.get("tool");
     const hit = await this.#app.scene.pick(x, y);
     if (hit) await this.#app.cells.act(tool, hit);
-    else if (tool === "turn" || tool === "inspect") this.#app.inspect(null);
+    else if (tool === "turn") this.#app.inspect(null);
   }
 
   /** @param {{ x: number, y: number } | null} at */
@@ -95,7 +96,7 @@ export class Tools {
     scene.highlight(hit && this.tool !== "turn" ? hit.face : null);
     clearTimeout(this.#telling);
     if (hit?.cell !== facts.get("hover")?.cell) facts.set({ hover: hit ? { cell: hit.cell } : null });
-    if (hit && facts.get("hover").value === undefined)
+    if (hit && facts.get("hover")?.value === undefined)
       this.#telling = setTimeout(() => cells.tell(hit.cell), REST);
   }
 }

@@ -10,26 +10,26 @@ import { icon } from "../widgets/icons.js";
 export function messageList(context) {
   const list = h("div", { class: "messages", role: "log", "aria-live": "polite", "aria-label": "Messages" });
   /** @type {Map<number, HTMLElement>} */
-  const shown = new Map();
+  const lines = new Map();
   watch(context, { facts: ["messages"] }, () => {
     const messages = context.facts.get("messages");
-    const ids = new Set(messages.map((/** @type {any} */ message) => message.id));
-    for (const [id, element] of shown) {
+    const ids = new Set(messages.map((message) => message.id));
+    for (const [id, element] of lines) {
       if (ids.has(id)) continue;
       element.remove();
-      shown.delete(id);
+      lines.delete(id);
     }
     for (const message of messages) {
-      if (shown.has(message.id)) continue;
+      if (lines.has(message.id)) continue;
       const element = line(context, message);
-      shown.set(message.id, element);
+      lines.set(message.id, element);
       list.append(element);
     }
   });
   return list;
 }
 
-/** @param {import("../widgets/bind.js").Context} context @param {import("../app/messages.js").Message} message */
+/** @param {import("../widgets/bind.js").Context} context @param {import("../state/facts.js").Message} message */
 function line({ app }, message) {
   const { id, severity, text, action } = message;
   const act =

@@ -30,16 +30,16 @@ function sentences(context) {
   if (!summary) return [];
   const { filters, colour } = store.status;
   const quantity = quantityOf(context);
-  const statistics = facts.get("statistics")?.[quantity.id];
+  const statistics = facts.get("statistics")[quantity.id];
   const cuts = filters.planes.enabled
-    ? filters.planes.items.filter((/** @type {any} */ plane) => plane.enabled && plane.offset > 0)
+    ? filters.planes.items.filter((plane) => plane.enabled && plane.offset > 0)
     : [];
   return [
     `${summary.name}: ${kindsInWords(summary.kinds)}.`,
     `${shownInWords(context)}.`,
     ...cuts.map(
-      (/** @type {any} */ { normal, offset }) =>
-        `Cut at ${decimal(offset)} along ${normal.map((/** @type {number} */ x) => decimal(x, 2)).join(", ")}.`,
+      ({ normal, offset }) =>
+        `Cut at ${decimal(offset)} along ${normal.map((x) => decimal(x, 2)).join(", ")}.`,
     ),
     filters.peel.enabled && filters.peel.depth ? `Peeled by ${filters.peel.depth}.` : "",
     colour.by === "sides"

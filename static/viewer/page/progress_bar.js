@@ -22,10 +22,10 @@ export function progressBar(context) {
     element.classList.toggle("progress-on", Boolean(task));
     bar.hidden = !task;
     setText(text, task?.text ?? "");
-    const known = typeof task?.fraction === "number";
-    bar.classList.toggle("progress-unknown", !known);
-    fill.style.setProperty("--share", String(known ? task.fraction : 1));
-    setAttribute(bar, "aria-valuenow", known ? Math.round(task.fraction * 100) : null);
+    const fraction = task?.fraction ?? null;
+    bar.classList.toggle("progress-unknown", fraction === null);
+    fill.style.setProperty("--share", String(fraction ?? 1));
+    setAttribute(bar, "aria-valuenow", fraction === null ? null : Math.round(fraction * 100));
   });
   return element;
 }

@@ -21,18 +21,18 @@ export function shownInWords({ facts }) {
   return `${count(shown.cells)} of ${counted(summary.cells, "cell")} shown, ${counted(shown.faces, "face")}`;
 }
 
-/** @type {Record<string, string>} */
+/** @type {Record<import("../state/facts.js").Tool, string>} */
 const TOOL_WORDS = {
+  turn: "",
   dig: "click a face to hide its cell",
   undig: "click a face to show the cell behind it",
   isolate: "click a cell to hide all others",
-  inspect: "click a cell to inspect it",
 };
 
 /** @param {import("../widgets/bind.js").Context} context */
 function hoverInWords({ facts }) {
   const hover = facts.get("hover");
-  const tool = TOOL_WORDS[facts.get("tool")] ?? "";
+  const tool = TOOL_WORDS[facts.get("tool")];
   if (!hover) return tool;
   const value = typeof hover.value === "number" ? `, ${hover.name} ${decimal(hover.value)}` : "";
   return [`cell ${hover.cell}${value}`, tool].filter(Boolean).join(" · ");

@@ -3,7 +3,7 @@ import { fill } from "../widgets/choice.js";
 import { watch } from "../widgets/bind.js";
 import { h } from "../widgets/dom.js";
 
-/** @typedef {import("../widgets/bind.js").Context} Context */
+/** @typedef {import("../widgets/bind.js").Context} Context @typedef {import("../state/entry.js").CatalogueSource} Source */
 
 /**
  * Choose a source, then one of its meshes (SPEC C4); where the open mesh comes from the catalogue, its reference stands below.
@@ -40,7 +40,7 @@ export function catalogueChooser(context) {
     const entry = facts.get("entry");
     for (const row of rows) row.hidden = !catalogue?.sources.length;
     rows[1].hidden ||= !source;
-    fill(sources, sourceOptions(catalogue, facts.get("summary") && !entry ? facts.get("summary").name : ""));
+    fill(sources, sourceOptions(catalogue, entry ? "" : (facts.get("summary")?.name ?? "")));
     sources.value = source?.slug ?? "";
     fill(meshes, meshOptions(source));
     meshes.value = entry && entry.source.slug === source?.slug ? entry.mesh.slug : "";
@@ -49,33 +49,28 @@ export function catalogueChooser(context) {
   return element;
 }
 
-/** @param {any} catalogue @param {string} local name of the file that is open, if it is not the catalogue's */
+/** @param {import("../state/entry.js").Index | null} catalogue @param {string} local name of the file that is open, if it is not the catalogue's */
 function sourceOptions(catalogue, local) {
   const first = { value: "", name: local ? `File: ${local}` : "Choose a source…" };
-  const rows = (catalogue?.sources ?? []).map((/** @type {any} */ source) => ({
+  const rows = (catalogue?.sources ?? []).map((source) => ({
     value: source.slug,
     name: `${source.year ? `${source.year} · ` : ""}${source.title}`,
   }));
   return [first, ...rows];
 }
 
-/** @param {any} source */
+/** @param {Source | null} source */
 function meshOptions(source) {
-  const rows = (source?.meshes ?? []).map((/** @type {any} */ mesh) => ({
+  const rows = (source?.meshes ?? []).map((mesh) => ({
     value: mesh.slug,
     name: mesh.cells ? `${mesh.name} (${count(mesh.cells)})` : mesh.name,
   }));
   return [{ value: "", name: "Choose a mesh…" }, ...rows];
 }
 
-/** @param {any} source */
-function authorsOf({ authors }) {
-  return Array.isArray(authors) ? authors.join(", ") : (authors ?? "");
-}
-
-/** Authors in one line, where and when, links. @param {any} source */
+/** Authors in one line, where and when, links. @param {Source} source */
 function shortReference(source) {
-  const authors = authorsOf(source);
+  const authors = source.authors.join(", ");
   const place = [source.venue, source.year].filter(Boolean).join(", ");
   return [
     authors ? h("p", { class: "reference-line quiet", title: authors }, authors) : h("p"),
@@ -88,9 +83,9 @@ function shortReference(source) {
   ];
 }
 
-/** The whole reference. @param {any} source */
+/** The whole reference. @param {Source} source */
 export function referenceOf(source) {
-  const authors = authorsOf(source);
+  const authors = source.authors.join(", ");
   const place = [source.venue, source.year].filter(Boolean).join(", ");
   return h(
     "div",
@@ -101,7 +96,7 @@ export function referenceOf(source) {
   );
 }
 
-/** Links to the paper, only to http(s) addresses. @param {any} source */
+/** Links to the paper, only to http(s) addresses. @param {Source} source */
 function linksOf(source) {
   const links = [
     ["DOI", source.doi && `https://doi.org/${source.doi}`],

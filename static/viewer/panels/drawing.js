@@ -1,6 +1,7 @@
+import { optionsOf } from "../state/choices.js";
 import { typed } from "../state/numbers.js";
 
-/** @typedef {import("../widgets/bind.js").Context} Context */
+/** @typedef {import("../widgets/bind.js").Context} Context @typedef {import("../state/status.js").Status} Status */
 
 /** The slider of each separation mode: which setting it moves. @type {Record<string, { path: string, name: string, range: readonly [number, number, number] }>} */
 const SEPARATION_SLIDERS = {
@@ -28,6 +29,12 @@ function separationSlider(setting) {
 /** @param {Context} context */
 const colouredBy = ({ store }) => store.status.colour.by;
 
+const waysOf = optionsOf("colour.by");
+
+/** @param {Context} context */
+const hasAttributes = (context) =>
+  Boolean(context.facts.get("summary")?.attributes?.length) || colouredBy(context) === "attribute";
+
 /** @type {import("../widgets/section.js").Section} */
 export const drawing = {
   id: "drawing",
@@ -40,12 +47,7 @@ export const drawing = {
       label: "Separation",
       hint: "How cells are told apart (E)",
       path: "separation.mode",
-      options: [
-        { value: "lines", name: "Lines" },
-        { value: "darkness_coded_edges", name: "Darkness-coded edges" },
-        { value: "fissure", name: "Fissure" },
-        { value: "rounded", name: "Rounded" },
-      ],
+      options: optionsOf("separation.mode"),
     },
     separationSlider("line_opacity"),
     separationSlider("gap"),
@@ -57,19 +59,13 @@ export const drawing = {
       hint: "What the faces are coloured by (C)",
       path: "colour.by",
       facts: ["summary"],
-      options: ({ facts, store }) => [
-        { value: "sides", name: "Outside and inside" },
-        { value: "quality", name: "Quality" },
-        ...(facts.get("summary")?.attributes?.length || store.status.colour.by === "attribute"
-          ? [{ value: "attribute", name: "Attribute" }]
-          : []),
-        { value: "kind", name: "Cell kind" },
-      ],
+      options: (context) =>
+        waysOf(context).filter(({ value }) => value !== "attribute" || hasAttributes(context)),
       write: (by, { facts, store }) => {
         const first = facts.get("summary")?.attributes?.[0]?.id ?? "";
         return {
           colour: {
-            by,
+            by: /** @type {Status["colour"]["by"]} */ (by),
             ...(by === "attribute" && !store.status.colour.attribute ? { attribute: first } : {}),
           },
         };
@@ -95,12 +91,7 @@ export const drawing = {
       label: "Map",
       path: "colour.map",
       status: ["colour.by"],
-      options: [
-        { value: "parula", name: "Parula" },
-        { value: "viridis", name: "Viridis" },
-        { value: "jet", name: "Jet" },
-        { value: "red_blue", name: "Red-Blue" },
-      ],
+      options: optionsOf("colour.map"),
       hidden: (context) => !["quality", "attribute"].includes(colouredBy(context)),
       more: [
         {
@@ -117,21 +108,23 @@ export const drawing = {
   ],
 };
 
-/** One end of the colour map's range. @param {0 | 1} end @param {string} name */
+/** One end of the colour map's range. @param {0 | 1} end @param {string} name @returns {import("../widgets/bind.js").NumberField} */
 function rangeField(end, name) {
-  const own = (/** @type {Context} */ { facts }) => {
+  /** @param {Context} context @returns {[number, number]} */
+  const own = ({ facts }) => {
     const colour = facts.get("colour");
     return [colour?.low ?? 0, colour?.high ?? 1];
   };
   return {
     name,
     optional: true,
-    placeholder: (/** @type {Context} */ context) => typed(own(context)[end]),
-    read: (/** @type {Context} */ { store }) => store.status.colour.range?.[end] ?? null,
-    write: (/** @type {number | null} */ value, /** @type {Context} */ context) => {
+    placeholder: (context) => typed(own(context)[end]),
+    read: ({ store }) => store.status.colour.range?.[end] ?? null,
+    write: (value, context) => {
       if (value === null) return { colour: { range: null } };
-      const range = [...(context.store.status.colour.range ?? own(context))];
-      range[end] = value;
+      const [low, high] = context.store.status.colour.range ?? own(context);
+      /** @type {[number, number]} */
+      const range = end === 0 ? [value, high] : [low, value];
       return range[0] < range[1] ? { colour: { range } } : null;
     },
   };

@@ -1,3 +1,4 @@
+import { rangeOf } from "../state/choices.js";
 import { count } from "../state/numbers.js";
 import { pickingControls } from "./picking.js";
 import { qualityFilterControls } from "./quality_filter.js";
@@ -8,8 +9,7 @@ import { sliceControls } from "./slice.js";
 /** Whether plane and peel hide anything, so that there is something to smooth. @param {Context} context */
 function hidesByShape({ store }) {
   const { planes, peel } = store.status.filters;
-  const cuts =
-    planes.enabled && planes.items.some((/** @type {any} */ { enabled, offset }) => enabled && offset > 0);
+  const cuts = planes.enabled && planes.items.some(({ enabled, offset }) => enabled && offset > 0);
   return cuts || (peel.enabled && peel.depth > 0);
 }
 
@@ -49,7 +49,7 @@ export const filters = {
       enabled: "filters.regularisation.enabled",
       path: "filters.regularisation.strength",
       status: ["filters.planes", "filters.peel"],
-      range: [0, 5, 1],
+      range: rangeOf("filters.regularisation.strength", 1),
       digits: 0,
       why: (context) => (hidesByShape(context) ? "" : "neither slice nor peel hides a cell"),
     },

@@ -3,7 +3,7 @@ import { watch } from "../widgets/bind.js";
 
 /** @typedef {import("../widgets/bind.js").Context} Context */
 
-/** @type {Record<string, string>} */
+/** @type {Record<import("../state/answers.js").Finding["severity"], string>} */
 const SEVERITY_MARKS = { error: "✕", warning: "!", note: "i" };
 
 /**
@@ -16,16 +16,14 @@ export function findings(context) {
   const list = h("ul", { class: "findings", "aria-label": "Findings of the diagnosis" });
   watch(context, { facts: ["description"] }, () => {
     const found = context.facts.get("description")?.findings ?? [];
-    const all = found.filter(
-      (/** @type {any} */ { severity, has_cells }) => has_cells || severity !== "note",
-    );
+    const all = found.filter(({ severity, has_cells }) => has_cells || severity !== "note");
     list.hidden = !all.length;
-    list.replaceChildren(...all.map((/** @type {any} */ finding) => line(context, finding)));
+    list.replaceChildren(...all.map((finding) => line(context, finding)));
   });
   return list;
 }
 
-/** @param {Context} context @param {any} finding */
+/** @param {Context} context @param {import("../state/answers.js").Finding} finding */
 function line(context, finding) {
   const mark = h(
     "span",

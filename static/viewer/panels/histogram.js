@@ -26,7 +26,7 @@ export function histogramPanel(context) {
   const element = h("div", { class: "histogram-frame" }, svg, caption, note);
   const hand = brush(svg, {
     band: () => bandOf(context),
-    write: (item, undo) => context.store.set(withBand(context, item), { undo }),
+    write: (band, undo) => context.store.set(withBand(context, band), { undo }),
     done: () => context.store.seal(),
     quantity: () => quantityOf(context).id,
   });
@@ -39,7 +39,7 @@ export function histogramPanel(context) {
     const { orientation, scale } = context.store.status.histogram;
     const frame = {
       width: element.clientWidth,
-      height: HEIGHTS[/** @type {"horizontal" | "vertical"} */ (orientation)],
+      height: HEIGHTS[orientation],
       orientation,
       scale,
     };

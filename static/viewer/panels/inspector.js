@@ -3,7 +3,7 @@ import { watch } from "../widgets/bind.js";
 import { h } from "../widgets/dom.js";
 import { icon } from "../widgets/icons.js";
 
-/** @typedef {import("../widgets/bind.js").Context} Context */
+/** @typedef {import("../widgets/bind.js").Context} Context @typedef {import("../state/answers.js").Inspection} Inspection */
 
 /**
  * The cell that was clicked (SPEC V7): number, kind, corners, neighbours, every metric, attributes.
@@ -39,18 +39,16 @@ export function inspector(context) {
   return element;
 }
 
-/** @param {Context} context @param {any} cell */
+/** @param {Context} context @param {Inspection} cell */
 function parts(context, cell) {
   const { tables, app } = context;
-  const neighbours = [...cell.neighbours].filter((other) => other >= 0);
+  const neighbours = cell.neighbours.filter((other) => other >= 0);
   const metrics = tables.metrics
     .filter(({ id }) => cell.metrics[id] !== undefined)
     .map(({ id, name, acceptable_range: range }) => metricRow(name, cell.metrics[id], range));
-  const attributes = Object.entries(cell.attributes ?? {}).map(([name, value]) =>
-    metricRow(name, value, null),
-  );
+  const attributes = Object.entries(cell.attributes).map(([name, value]) => metricRow(name, value, null));
   return [
-    h("p", { class: "quiet" }, [cell.kind, validityInWords(cell.validity)].filter(Boolean).join(", ")),
+    h("p", { class: "quiet" }, `${cell.kind}, ${cell.validity}`),
     h(
       "div",
       { class: "actions" },
@@ -76,29 +74,22 @@ function parts(context, cell) {
   ].filter((part) => part !== null);
 }
 
-/** @param {unknown} validity */
-function validityInWords(validity) {
-  if (typeof validity === "string") return validity;
-  if (typeof validity === "number") return ["invalid", "valid", "validity undecided"][validity] ?? "";
-  return "";
-}
-
-/** @param {string} name @param {any} value @param {readonly [number | null, number | null] | null} range */
+/** @param {string} name @param {unknown} value @param {readonly [number | null, number | null] | null} range */
 function metricRow(name, value, range) {
   const outside =
     range &&
     typeof value === "number" &&
     ((range[0] !== null && value < range[0]) || (range[1] !== null && value > range[1]));
-  const shown =
+  const text =
     typeof value === "number"
       ? decimal(value)
-      : Array.isArray(value) || ArrayBuffer.isView(value)
-        ? Array.from(/** @type {any} */ (value), (x) => decimal(Number(x))).join(", ")
+      : Array.isArray(value)
+        ? value.map((x) => decimal(Number(x))).join(", ")
         : String(value ?? "–");
   const cell = h(
     "td",
     outside ? { class: "outside", title: "outside the acceptable range" } : {},
-    shown,
+    text,
     outside ? h("span", { class: "visually-hidden" }, " outside the acceptable range") : null,
   );
   return h("tr", {}, h("th", { scope: "row" }, name), cell);
@@ -109,14 +100,9 @@ function table(caption, rows) {
   return h("table", { class: "table" }, h("caption", {}, caption), h("tbody", {}, ...rows));
 }
 
-/** @param {any} cell */
-function cornersTable(cell) {
-  const corners = Array.from(/** @type {ArrayLike<number>} */ (cell.corners));
-  const at = (/** @type {number} */ corner) => {
-    const own = cell.coordinates[corner] ?? cell.coordinates.slice?.(corner * 3, corner * 3 + 3) ?? [];
-    const flat = typeof own === "number" ? cell.coordinates.slice(corner * 3, corner * 3 + 3) : own;
-    return Array.from(/** @type {ArrayLike<number>} */ (flat), (x) => decimal(x)).join(" ");
-  };
+/** @param {Inspection} cell */
+function cornersTable({ corners, coordinates }) {
+  const at = (/** @type {number} */ corner) => coordinates[corner].map((x) => decimal(x)).join(" ");
   return table(
     "Corners",
     corners.map((id, corner) => h("tr", {}, h("th", { scope: "row" }, String(id)), h("td", {}, at(corner)))),

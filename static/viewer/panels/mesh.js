@@ -13,7 +13,10 @@ export const mesh = {
   open: true,
   openNarrow: false,
   digestOf: { facts: ["summary"] },
-  digest: ({ facts }) => (facts.get("summary") ? counted(facts.get("summary").cells, "cell") : ""),
+  digest: ({ facts }) => {
+    const summary = facts.get("summary");
+    return summary ? counted(summary.cells, "cell") : "";
+  },
   controls: [
     { kind: "custom", render: catalogueChooser },
     { kind: "custom", render: headline },
@@ -29,9 +32,9 @@ const KIND_NAMES = {
   tetrahedron: ["tetrahedron", "tetrahedra"],
 };
 
-/** "1,234 hexahedra, 5 wedges". @param {Record<string, number>} kinds */
-export function kindsInWords(kinds) {
-  return Object.entries(kinds ?? {})
+/** "1,234 hexahedra, 5 wedges". @param {Record<string, number>} [kinds] */
+export function kindsInWords(kinds = {}) {
+  return Object.entries(kinds)
     .map(([kind, number]) => counted(number, ...(KIND_NAMES[kind] ?? [kind, kind])))
     .join(", ");
 }

@@ -4,14 +4,14 @@ import { h } from "../widgets/dom.js";
 
 /** @typedef {import("../widgets/bind.js").Context} Context */
 
-/** Rows of the table of facts: name and value. @param {any} summary @param {any} description @returns {[string, string][]} */
+/** Rows of the table of facts: name and value. @param {import("../state/facts.js").MeshSummary} summary @param {Partial<import("../state/answers.js").Description> | null} description @returns {[string, string][]} */
 function rowsOf(summary, description) {
   const size = [0, 1, 2]
     .map((axis) => decimal(summary.extent[1][axis] - summary.extent[0][axis]))
     .join(" × ");
   /** @type {[string, string][]} */
   const rows = [
-    ["Format", summary.format],
+    ["Format", summary.format ?? "–"],
     ["Boundary faces", count(summary.boundary_faces)],
     ["Extent", size],
   ];

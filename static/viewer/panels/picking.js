@@ -1,4 +1,4 @@
-import { clear, formatCells, isClear, isolate, parseCells } from "../state/picking.js";
+import { clear, formatCells, isClear, isolate, parseCells, toggleTool } from "../state/picking.js";
 import { buttons } from "../widgets/controls.js";
 
 /**
@@ -12,12 +12,12 @@ const pickingOf = ({ store }) => store.status.filters.picking;
 /** @param {Context} context */
 const cellsOf = ({ facts }) => facts.get("summary")?.cells ?? 0;
 
-/** @param {string} name @param {string} tool @param {string} hint @returns {Action} */
+/** @param {string} name @param {import("../state/facts.js").Tool} tool @param {string} hint @returns {Action} */
 const toolButton = (name, tool, hint) => ({
   name,
   text: name,
   hint,
-  press: ({ facts }) => facts.set({ tool: facts.get("tool") === tool ? "turn" : tool }),
+  press: ({ facts }) => toggleTool(facts, tool),
   pressed: ({ facts }) => facts.get("tool") === tool,
 });
 
@@ -29,7 +29,7 @@ const byNumber = (list, label) => ({
   hint: "3, 10-14",
   status: [`filters.picking.${list}`],
   read: (context) => formatCells(pickingOf(context)[list]),
-  box: { check: (value, context) => parseCells(value, cellsOf(context)).problem },
+  check: (value, context) => parseCells(value, cellsOf(context)).wrong,
   write: (value, context) => ({
     filters: { picking: { enabled: true, [list]: parseCells(value, cellsOf(context)).cells } },
   }),

@@ -1,10 +1,14 @@
+import { optionsOf, rangeOf } from "../state/choices.js";
 import { count, decimal } from "../state/numbers.js";
 import { watch } from "../widgets/bind.js";
 import { h } from "../widgets/dom.js";
 import { histogramPanel } from "./histogram.js";
 import { chooseQuantity, quantityOf, quantityOptions } from "../state/quantity.js";
 
-/** @typedef {import("../widgets/bind.js").Context} Context */
+/** @typedef {import("../widgets/bind.js").Context} Context @typedef {import("../state/answers.js").Statistics} Statistics */
+
+/** @type {readonly import("../widgets/bind.js").ChartFormat[]} */
+const FORMATS = ["png", "svg", "csv"];
 
 /** @type {import("../widgets/section.js").Section} */
 export const quality = {
@@ -35,20 +39,14 @@ export const quality = {
           id: "histogram-orientation",
           label: "Bars",
           path: "histogram.orientation",
-          options: [
-            { value: "horizontal", name: "upright" },
-            { value: "vertical", name: "lying" },
-          ],
+          options: optionsOf("histogram.orientation"),
         },
         {
           kind: "choice",
           id: "histogram-scale",
           label: "Counts",
           path: "histogram.scale",
-          options: [
-            { value: "linear", name: "linear" },
-            { value: "log", name: "logarithmic" },
-          ],
+          options: optionsOf("histogram.scale"),
         },
         {
           kind: "slider",
@@ -57,17 +55,17 @@ export const quality = {
           path: "histogram.bins",
           range: [10, 200, 10],
           digits: 0,
-          box: { range: () => [1, 1000, 1] },
+          box: { range: rangeOf("histogram.bins", 1) },
         },
         {
           kind: "actions",
           label: "Save as",
           facts: ["histogram"],
-          items: ["png", "svg", "csv"].map((format) => ({
+          items: FORMATS.map((format) => ({
             name: `Save the histogram as ${format.toUpperCase()}`,
             text: format.toUpperCase(),
-            disabled: (/** @type {Context} */ { facts }) => !facts.get("histogram"),
-            press: (/** @type {Context} */ { app }) => app.saveHistogram(format),
+            disabled: ({ facts }) => !facts.get("histogram"),
+            press: ({ app }) => app.saveHistogram(format),
           })),
         },
       ],
@@ -84,11 +82,12 @@ export const quality = {
   ],
 };
 
-/** @param {Context} context @returns {any} */
+/** @param {Context} context @returns {Statistics | undefined} */
 function statisticsOf(context) {
-  return context.facts.get("statistics")?.[quantityOf(context).id];
+  return context.facts.get("statistics")[quantityOf(context).id];
 }
 
+/** @type {import("../widgets/bind.js").Dependencies} */
 const WATCHED = { status: ["colour"], facts: ["statistics", "summary"] };
 
 /** Minimum, mean and what lies outside the acceptable range, in one line under the histogram. @param {Context} context */
@@ -115,9 +114,9 @@ function rangeInWords([low, high]) {
   return `${low === null ? "−∞" : decimal(low, 2)} to ${high === null ? "∞" : decimal(high, 2)}`;
 }
 
-/** @param {any} statistics @param {import("../state/quantity.js").Quantity} quantity @returns {[string, string][]} */
+/** @param {Statistics} statistics @param {import("../state/quantity.js").Quantity} quantity @returns {[string, string][]} */
 function statisticsRows(statistics, quantity) {
-  const { percentiles = {} } = statistics;
+  const { percentiles } = statistics;
   /** @type {[string, string][]} */
   const rows = [
     ["Minimum", decimal(statistics.min)],

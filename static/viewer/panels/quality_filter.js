@@ -12,30 +12,34 @@ import { quantityOf } from "../state/quantity.js";
 
 /**
  * @typedef {import("../widgets/bind.js").Context} Context
- * @typedef {import("../state/quality_filter.js").Item} Item
+ * @typedef {import("../state/quality_filter.js").Band} Band
  */
 
 const ITEMS = "filters.quality.items";
+/** @type {readonly import("../widgets/bind.js").FactName[]} */
 const FACTS = ["statistics", "histogram", "summary", "keep"];
 
-/** The band on what the Quality panel looks at, if there is one. @param {Context} context @returns {Item | undefined} */
+/** @param {Context} context */
+const itemsOf = ({ store }) => store.status.filters.quality.items;
+
+/** The band on what the Quality panel looks at, if there is one. @param {Context} context @returns {Band | undefined} */
 export function bandOf(context) {
   const { id } = quantityOf(context);
-  return context.store.valueAt(ITEMS).find((/** @type {Item} */ item) => item.quantity === id);
+  return itemsOf(context).find((band) => band.quantity === id);
 }
 
-/** The partial status in which the band of this quantity is another; null takes it away. @param {Context} context @param {Item | null} item */
-export function withBand(context, item) {
+/** The partial status in which the band of this quantity is another; null takes it away. @param {Context} context @param {Band | null} band */
+export function withBand(context, band) {
   const { id } = quantityOf(context);
-  const others = context.store.valueAt(ITEMS).filter((/** @type {Item} */ one) => one.quantity !== id);
-  return { filters: { quality: { enabled: true, items: item ? [...others, item] : others } } };
+  const others = itemsOf(context).filter((one) => one.quantity !== id);
+  return { filters: { quality: { enabled: true, items: band ? [...others, band] : others } } };
 }
 
 /** Which end is kept: what the band says, or what was chosen while nothing is hidden yet. @param {Context} context */
 function currentKeep(context) {
-  const item = bandOf(context);
-  if (!item) return context.facts.get("keep") ?? "worst";
-  return keepOf(item, quantityOf(context));
+  const band = bandOf(context);
+  if (!band) return context.facts.get("keep") ?? "worst";
+  return keepOf(band, quantityOf(context));
 }
 
 /** @param {Context} context @returns {"worst" | "best"} */
@@ -46,14 +50,14 @@ function oneEnd(context) {
 /** @param {Context} context */
 const isTwoSided = (context) => ["band", "outside"].includes(currentKeep(context));
 
-/** @param {"minimum" | "maximum"} end */
+/** @param {"minimum" | "maximum"} end @returns {import("../widgets/bind.js").NumberField} */
 const endField = (end) => ({
   name: end,
-  read: (/** @type {Context} */ context) => bandOf(context)?.[end] ?? null,
-  write: (/** @type {number | null} */ value, /** @type {Context} */ context) => {
-    const item =
+  read: (context) => bandOf(context)?.[end] ?? null,
+  write: (value, context) => {
+    const band =
       bandOf(context) ?? changedKeep(quantityOf(context).id, "band", undefined, quantityOf(context));
-    return withBand(context, /** @type {Item} */ ({ ...item, [end]: value }));
+    return withBand(context, /** @type {Band} */ ({ ...band, [end]: value }));
   },
 });
 
@@ -74,17 +78,17 @@ export const qualityFilterControls = [
       const quantity = quantityOf(context);
       return withBand(context, oneSided(quantity.id, oneEnd(context), share, quantity));
     },
+    initial: 0,
     box: {
-      initial: 0,
       range: () => [-Infinity, Infinity, 0.01],
-      read: (/** @type {Context} */ context) => {
+      read: (context) => {
         const quantity = quantityOf(context);
         return (
           thresholdOf(bandOf(context)) ??
           (oneEnd(context) === "worst" ? quantity.bestValue : quantity.worstValue)
         );
       },
-      write: (/** @type {number} */ value, /** @type {Context} */ context) => {
+      write: (value, context) => {
         const quantity = quantityOf(context);
         return withBand(context, boundedBy(quantity.id, oneEnd(context), value, quantity));
       },
@@ -117,12 +121,13 @@ export const qualityFilterControls = [
       }));
     },
     read: currentKeep,
-    write: (keep, context) => {
+    write: (chosen, context) => {
+      const keep = /** @type {import("../state/quality_filter.js").Keep} */ (chosen);
       context.facts.set({ keep });
       const quantity = quantityOf(context);
-      const item = bandOf(context);
-      if (!item && (keep === "worst" || keep === "best")) return null;
-      return withBand(context, changedKeep(quantity.id, keep, item, quantity));
+      const band = bandOf(context);
+      if (!band && (keep === "worst" || keep === "best")) return null;
+      return withBand(context, changedKeep(quantity.id, keep, band, quantity));
     },
   },
 ];

@@ -1,4 +1,5 @@
-import { anotherPlane, fromView, inverted, withPlane } from "../state/planes.js";
+import { optionsOf } from "../state/choices.js";
+import { anotherPlane, fromView, inverted, planesOf, withPlane } from "../state/planes.js";
 import { buttons } from "../widgets/controls.js";
 
 /**
@@ -10,13 +11,10 @@ import { buttons } from "../widgets/controls.js";
 const ITEMS = "filters.planes.items";
 
 /** What every row of the slice depends on: the planes, and which of them is at hand. */
-const WATCHED = { status: [ITEMS], facts: ["plane"] };
-
-/** @param {Context} context @returns {{ planes: readonly Plane[], index: number }} */
-function planesOf({ store, facts }) {
-  const planes = store.valueAt(ITEMS);
-  return { planes, index: Math.min(facts.get("plane") ?? 0, Math.max(0, planes.length - 1)) };
-}
+const WATCHED = /** @type {import("../widgets/bind.js").Dependencies} */ ({
+  status: [ITEMS],
+  facts: ["plane"],
+});
 
 /** The plane at hand. @param {Context} context @returns {Plane} */
 function planeOf(context) {
@@ -38,13 +36,14 @@ const axisButton = (name, normal) => ({
   press: (context) => context.store.set(changed(context, { normal })),
 });
 
-/** @param {number} axis */
+/** @param {number} axis @returns {import("../widgets/bind.js").NumberField} */
 const normalField = (axis) => ({
   name: "xyz"[axis],
-  read: (/** @type {Context} */ context) => planeOf(context).normal[axis],
-  write(/** @type {number} */ value, /** @type {Context} */ context) {
-    const normal = planeOf(context).normal.map((x, at) => (at === axis ? value : x));
-    return normal.some((x) => x !== 0) ? changed(context, { normal: /** @type {any} */ (normal) }) : null;
+  read: (context) => planeOf(context).normal[axis],
+  write: (value, context) => {
+    const normal = /** @type {[number, number, number]} */ ([...planeOf(context).normal]);
+    normal[axis] = value ?? 0;
+    return normal.some((x) => x !== 0) ? changed(context, { normal }) : null;
   },
 });
 
@@ -96,11 +95,9 @@ export const sliceControls = [
     range: [0, 1, 0.001],
     read: (context) => planeOf(context).offset,
     write: (offset, context) => changed(context, { offset }),
-    box: {
-      initial: 0,
-      press: ({ facts }) => facts.set({ planeShown: true }),
-      release: ({ facts }) => facts.set({ planeShown: false }),
-    },
+    initial: 0,
+    press: ({ facts }) => facts.set({ planeShown: true }),
+    release: ({ facts }) => facts.set({ planeShown: false }),
     why: (context) => (planeOf(context).enabled ? "" : "this plane is switched off"),
   },
   buttons({
@@ -149,10 +146,7 @@ export const sliceControls = [
         id: "plane-rule",
         label: "Rule",
         path: "filters.planes.rule",
-        options: [
-          { value: "barycentre", name: "hide by barycentre" },
-          { value: "any_corner", name: "hide by any corner" },
-        ],
+        options: optionsOf("filters.planes.rule"),
       },
     ],
   }),

@@ -1,11 +1,10 @@
+import { IRREGULAR_STEPS, rangeOf } from "../state/choices.js";
 import { count } from "../state/numbers.js";
 import { watch } from "../widgets/bind.js";
 import { h } from "../widgets/dom.js";
 import { meshFacts } from "./mesh_facts.js";
 
 /** @typedef {import("../widgets/bind.js").Context} Context */
-
-const STEPS = ["Off", "Wires", "Wires, through", "Barbed", "Barbed, through", "Paper", "Paper, through"];
 
 /** Rows of the legend: valence from, to, its words. Their colours stand in the style sheets as `.valence-…`. */
 const CLASSES = [
@@ -16,14 +15,16 @@ const CLASSES = [
   { name: "high", words: "6 and more", test: (/** @type {number} */ n) => n >= 6 },
 ];
 
-/** @param {Context} context @returns {{ interior: Record<string, number>, boundary: Record<string, number> } | null} */
+/** @param {Context} context @returns {import("../state/answers.js").IrregularCounts | null} */
 function countsOf({ facts }) {
   const drawn = facts.get("irregular");
   if (drawn) return drawn;
   const description = facts.get("description");
   if (!description?.interior_edge_valence) return null;
-  const without = (/** @type {Record<string, number>} */ valences, /** @type {string} */ regular) =>
-    Object.fromEntries(Object.entries(valences ?? {}).filter(([valence]) => valence !== regular));
+  const without = (
+    /** @type {Record<string, number> | undefined} */ valences,
+    /** @type {string} */ regular,
+  ) => Object.fromEntries(Object.entries(valences ?? {}).filter(([valence]) => valence !== regular));
   return {
     interior: without(description.interior_edge_valence, "4"),
     boundary: without(description.boundary_edge_valence, "2"),
@@ -32,10 +33,7 @@ function countsOf({ facts }) {
 
 /** @param {Record<string, number>} valences @param {(n: number) => boolean} test */
 function total(valences, test) {
-  return Object.entries(valences ?? {}).reduce(
-    (sum, [valence, n]) => (test(Number(valence)) ? sum + n : sum),
-    0,
-  );
+  return Object.entries(valences).reduce((sum, [valence, n]) => (test(Number(valence)) ? sum + n : sum), 0);
 }
 
 /** @type {import("../widgets/section.js").Section} */
@@ -56,8 +54,8 @@ export const structure = {
       path: "irregular.mode",
       facts: ["description", "irregular"],
       status: ["irregular.boundary"],
-      range: [0, 6, 1],
-      names: STEPS,
+      range: rangeOf("irregular.mode", 1),
+      names: IRREGULAR_STEPS,
       why: (context) => {
         const counts = countsOf(context);
         const boundary = context.store.status.irregular.boundary;

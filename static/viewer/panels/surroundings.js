@@ -1,14 +1,13 @@
 import { VIEWS } from "../state/camera.js";
+import { optionsOf } from "../state/choices.js";
 import { buttons } from "../widgets/controls.js";
-
-/** @typedef {import("../widgets/bind.js").Context} Context */
 
 /** @param {string} name @param {string} text @param {string} key @returns {import("../widgets/bind.js").Action} */
 const viewButton = (name, text, key) => ({
   name: `View from ${name}`,
   text,
   hint: `View from ${name} (${key})`,
-  press: (/** @type {Context} */ { store }) => store.set({ camera: VIEWS[name] }),
+  press: ({ store }) => store.set({ camera: VIEWS[name] }),
 });
 
 /** @type {import("../widgets/section.js").Section} */
@@ -22,12 +21,7 @@ export const surroundings = {
       label: "Lighting",
       hint: "AO: ambient occlusion, on and off (Q)",
       path: "lighting.mode",
-      options: [
-        { value: "object_space_ao", name: "AO, best" },
-        { value: "screen_space_ao", name: "AO, fast" },
-        { value: "direct", name: "Direct" },
-        { value: "none", name: "None" },
-      ],
+      options: optionsOf("lighting.mode"),
     },
     {
       kind: "slider",
@@ -74,10 +68,7 @@ export const surroundings = {
       label: "Projection",
       path: "camera.projection",
       hint: "5",
-      options: [
-        { value: "perspective", name: "Perspective" },
-        { value: "orthographic", name: "Orthographic" },
-      ],
+      options: optionsOf("camera.projection"),
     },
     {
       kind: "slider",

@@ -4,7 +4,7 @@ import { normalised } from "./vectors.js";
  * Camera settings (SPEC V6) as pure steps: views along the axes, zooming, flying to a cell.
  *
  * @typedef {import("./vectors.js").Vector} Vector
- * @typedef {{ target: Vector, direction: Vector, up: Vector, distance: number, projection: string, field_of_view: number }} Camera
+ * @typedef {import("./status.js").Status["camera"]} Camera
  */
 
 /** Named views: direction looked in, and what is up. @type {Record<string, { direction: Vector, up: Vector }>} */

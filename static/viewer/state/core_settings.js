@@ -1,4 +1,9 @@
-import { difference, partialAt, valueAt } from "./paths.js";
+import { difference, isRecord, partialAt, valueAt } from "./paths.js";
+
+/**
+ * @template T
+ * @typedef {import("./status.js").Part<T>} Part
+ */
 
 /**
  * What the core knows of the status: the settings that concern it, as they were told last. It is told what differs.
@@ -8,7 +13,7 @@ import { difference, partialAt, valueAt } from "./paths.js";
  */
 export class CoreSettings {
   #paths;
-  /** The status of which the core knows its part; null when it is to be told all. @type {any} */
+  /** The status of which the core knows its part; null when it is to be told all. @type {object | null} */
   #told = null;
 
   /** @param {readonly string[]} paths of the settings that concern the core, as the schema marks them */
@@ -24,10 +29,11 @@ export class CoreSettings {
   /**
    * What the core has to be told of a status; from now on it counts as told.
    *
-   * @param {any} status
-   * @returns {any} a partial document of settings that concern the core
+   * @template {object} Whole @param {Whole} status
+   * @returns {Part<Whole>} a partial document of settings that concern the core
    */
   changed(status) {
+    /** @type {unknown} */
     let partial = {};
     for (const path of this.#paths) {
       const value = valueAt(status, path);
@@ -35,7 +41,7 @@ export class CoreSettings {
       if (part !== undefined) partial = joined(partial, partialAt(status, path, part));
     }
     this.#told = status;
-    return partial;
+    return /** @type {Part<Whole>} */ (partial);
   }
 
   /** The core has opened another mesh, or a call failed: what it has taken on is not known, so that it is told all. */
@@ -44,8 +50,9 @@ export class CoreSettings {
   }
 }
 
-/** Two partial documents of different paths as one. @param {any} one @param {any} other @returns {any} */
+/** Two partial documents of different paths as one. @param {unknown} one @param {unknown} other @returns {unknown} */
 function joined(one, other) {
+  if (!isRecord(one) || !isRecord(other)) return other;
   const out = { ...one };
   for (const [key, value] of Object.entries(other)) out[key] = key in out ? joined(out[key], value) : value;
   return out;

@@ -1,4 +1,77 @@
 /**
+ * @typedef {import("./answers.js").BriefSummary & Partial<import("./answers.js").Summary>} MeshSummary
+ *   of a mesh whose preview alone is there, the brief one
+ *
+ * @typedef {"dig" | "undig" | "isolate"} PickingTool
+ * @typedef {"turn" | PickingTool} Tool
+ *
+ * @typedef {object} Message
+ * @property {number} id
+ * @property {"error" | "warning" | "note"} severity
+ * @property {string} text
+ * @property {{ name: string, press: () => void }} [action]
+ * @property {string} [topic]
+ *
+ * @typedef {object} Hover  the cell under the pointer, and after a while what is known of it
+ * @property {number} cell
+ * @property {string} [kind]
+ * @property {string} [name] of the quantity looked at
+ * @property {number | null} [value]
+ *
+ * @typedef {object} FactTable  the facts by name
+ * @property {"starting" | "ready" | "failed"} core
+ * @property {Tool} tool what a click on the picture does
+ * @property {readonly Message[]} messages
+ * @property {{ text: string, fraction: number | null } | null} progress
+ * @property {Readonly<Record<string, number>>} timings milliseconds
+ * @property {{ name: string, buffer: ArrayBuffer, count: number } | null} archive of meshes, offered as a batch
+ * @property {import("./entry.js").Index | null} catalogue
+ * @property {import("./entry.js").CatalogueSource | null} source chosen from the catalogue
+ * @property {import("./entry.js").Entry | null} entry of the open mesh
+ * @property {MeshSummary | null} summary of the open mesh, null while there is none
+ * @property {Partial<import("./answers.js").Description> | null} description
+ * @property {Readonly<Record<string, import("./answers.js").Statistics>>} statistics by quantity
+ * @property {import("./answers.js").Histogram & { asked: string } | null} histogram with what it was asked for under
+ * @property {import("./answers.js").IrregularCounts | null} irregular
+ * @property {{ cells: number, faces: number } | null} shown
+ * @property {import("./answers.js").Colour | null} colour
+ * @property {number | null} layers of cells from the boundary inwards
+ * @property {import("./answers.js").Inspection | null} cell in the inspector
+ * @property {Hover | null} hover
+ * @property {number} plane number of the one at hand
+ * @property {boolean} planeShown while its slider is held
+ * @property {import("./answers.js").Update["plane_ranges"]} planeRanges
+ * @property {import("./quality_filter.js").Keep | null} keep chosen while the quality filter hides nothing yet
+ */
+
+/** What is known before anything is. @type {FactTable} */
+const NOTHING = {
+  core: "starting",
+  tool: "turn",
+  messages: [],
+  progress: null,
+  timings: {},
+  archive: null,
+  catalogue: null,
+  source: null,
+  entry: null,
+  summary: null,
+  description: null,
+  statistics: {},
+  histogram: null,
+  irregular: null,
+  shown: null,
+  colour: null,
+  layers: null,
+  cell: null,
+  hover: null,
+  plane: 0,
+  planeShown: false,
+  planeRanges: [],
+  keep: null,
+};
+
+/**
  * What is known at the moment and is not a setting: the mesh's summary, what the core is doing, which cell is
  * inspected, messages. Panels listen to single facts by name.
  *
@@ -6,34 +79,38 @@
  *     facts.set({ summary });
  */
 export class Facts {
-  /** @type {Map<string, any>} */ #values = new Map();
-  /** @type {Map<string, Set<(value: any) => void>>} */ #listeners = new Map();
+  #values;
+  /** @type {Map<string, Set<(value: unknown) => void>>} */ #listeners = new Map();
 
-  /** @param {Record<string, any>} [initial] */
+  /** @param {Partial<FactTable>} [initial] */
   constructor(initial = {}) {
-    for (const [name, value] of Object.entries(initial)) this.#values.set(name, value);
+    this.#values = { ...NOTHING, ...initial };
   }
 
-  /** @param {string} name @returns {any} */
+  /** @template {keyof FactTable} Name @param {Name} name @returns {FactTable[Name]} */
   get(name) {
-    return this.#values.get(name);
+    return this.#values[name];
   }
 
-  /** @param {Record<string, any>} values */
+  /** @param {Partial<FactTable>} values */
   set(values) {
-    const changed = Object.entries(values).filter(
-      ([name, value]) => !Object.is(this.#values.get(name), value),
-    );
-    for (const [name, value] of changed) this.#values.set(name, value);
+    const before = /** @type {Readonly<Record<string, unknown>>} */ (this.#values);
+    const changed = Object.entries(values).filter(([name, value]) => !Object.is(before[name], value));
+    this.#values = { ...this.#values, ...values };
     for (const [name, value] of changed) {
       for (const listener of [...(this.#listeners.get(name) ?? [])]) listener(value);
     }
   }
 
-  /** @param {string} name @param {(value: any) => void} listener @returns {() => void} stops listening */
+  /**
+   * @template {keyof FactTable} Name
+   * @param {Name} name @param {(value: FactTable[Name]) => void} listener
+   * @returns {() => void} stops listening
+   */
   on(name, listener) {
+    const own = /** @type {(value: unknown) => void} */ (listener);
     const all = this.#listeners.get(name) ?? new Set();
-    this.#listeners.set(name, all.add(listener));
-    return () => void all.delete(listener);
+    this.#listeners.set(name, all.add(own));
+    return () => void all.delete(own);
   }
 }

@@ -7,7 +7,7 @@ import { difference } from "./paths.js";
 
 const KEY = "status";
 
-/** @param {any} status @param {any} defaults @returns {Promise<string>} the hash without its # */
+/** @param {object & { version?: unknown }} status @param {object} defaults @returns {Promise<string>} the hash without its # */
 export async function statusToHash(status, defaults) {
   const partial = { version: status.version, ...difference(defaults, status) };
   const bytes = await pipe(
@@ -19,7 +19,7 @@ export async function statusToHash(status, defaults) {
 
 /**
  * @param {string} hash location.hash, with or without its #
- * @returns {Promise<any | null>} the partial document, or null if the hash carries none
+ * @returns {Promise<unknown>} the partial document, or null if the hash carries none
  * @throws {Error} if it carries one that can't be read
  */
 export async function statusFromHash(hash) {

@@ -2,35 +2,38 @@
  * Paths into the status document ("filters.peel.depth", "filters.planes.items.0.offset"), and the merging of
  * partial documents into whole ones. Arrays are values: a partial document replaces an array whole.
  *
- * @typedef {null | boolean | number | string | readonly any[] | { readonly [key: string]: any }} Json
+ * @template T
+ * @typedef {import("./status.js").Part<T>} Part
  */
 
-/** @param {unknown} value @returns {value is Record<string, any>} */
+/** @param {unknown} value @returns {value is Record<string, unknown>} */
 export function isRecord(value) {
   return typeof value === "object" && value !== null && !Array.isArray(value);
 }
 
-/** The value at a path, or undefined. @param {any} root @param {string} path @returns {any} */
+/** What stands under a key of an object or a list. @param {unknown} value @param {string} key @returns {unknown} */
+function partOf(value, key) {
+  return value === null || value === undefined
+    ? undefined
+    : /** @type {Record<string, unknown>} */ (value)[key];
+}
+
+/** The value at a path, or undefined. @param {unknown} root @param {string} path @returns {unknown} */
 export function valueAt(root, path) {
-  let value = root;
-  for (const key of path.split(".")) {
-    if (value === null || value === undefined) return undefined;
-    value = value[key];
-  }
-  return value;
+  return path.split(".").reduce(partOf, root);
 }
 
 /**
  * The smallest partial document that puts `value` at `path`. What lies below an array carries the whole array,
  * copied from `root`.
  *
- * @param {any} root @param {string} path @param {any} value @returns {any}
+ * @param {unknown} root @param {string} path @param {unknown} value @returns {unknown}
  */
 export function partialAt(root, path, value) {
   return build(root, path.split("."), value);
 }
 
-/** @param {any} here @param {string[]} keys @param {any} value @returns {any} */
+/** @param {unknown} here @param {string[]} keys @param {unknown} value @returns {unknown} */
 function build(here, keys, value) {
   if (!keys.length) return value;
   const [key, ...rest] = keys;
@@ -40,15 +43,15 @@ function build(here, keys, value) {
     copy[index] = rest.length ? replaced(here[index], rest, value) : value;
     return copy;
   }
-  return { [key]: build(here?.[key], rest, value) };
+  return { [key]: build(partOf(here, key), rest, value) };
 }
 
-/** A whole copy of `here` with the value at `keys` replaced. @param {any} here @param {string[]} keys @param {any} value */
+/** A whole copy of `here` with the value at `keys` replaced. @param {unknown} here @param {string[]} keys @param {unknown} value */
 function replaced(here, keys, value) {
   return merge(here ?? {}, build(here ?? {}, keys, value));
 }
 
-/** @param {any} left @param {any} right @returns {boolean} */
+/** @param {unknown} left @param {unknown} right @returns {boolean} */
 export function equal(left, right) {
   if (Object.is(left, right)) return true;
   if (Array.isArray(left) && Array.isArray(right)) {
@@ -67,12 +70,12 @@ export function equal(left, right) {
 /**
  * `base` with what `partial` holds. Parts that do not change keep their identity.
  *
- * @template T @param {T} base @param {any} partial @returns {T}
+ * @template T @param {T} base @param {unknown} partial @returns {T}
  */
 export function merge(base, partial) {
   if (partial === undefined) return base;
-  if (!isRecord(base) || !isRecord(partial)) return equal(base, partial) ? base : partial;
-  /** @type {Record<string, any> | null} */
+  if (!isRecord(base) || !isRecord(partial)) return equal(base, partial) ? base : /** @type {T} */ (partial);
+  /** @type {Record<string, unknown> | null} */
   let out = null;
   for (const [key, value] of Object.entries(partial)) {
     const merged = merge(base[key], value);
@@ -83,7 +86,7 @@ export function merge(base, partial) {
   return /** @type {T} */ (out ?? base);
 }
 
-/** Paths of the leaves (arrays are leaves) in which two documents differ. @param {any} left @param {any} right @returns {string[]} */
+/** Paths of the leaves (arrays are leaves) in which two documents differ. @param {unknown} left @param {unknown} right @returns {string[]} */
 export function changedPaths(left, right, prefix = "") {
   if (left === right) return [];
   if (!isRecord(left) || !isRecord(right)) return equal(left, right) ? [] : [prefix];
@@ -91,17 +94,21 @@ export function changedPaths(left, right, prefix = "") {
   return [...keys].flatMap((key) => changedPaths(left[key], right[key], prefix ? `${prefix}.${key}` : key));
 }
 
-/** What `document` holds beyond `base`: merging it into `base` gives `document`. @param {any} base @param {any} document @returns {any} */
+/**
+ * What `document` holds beyond `base`: merging it into `base` gives `document`. Undefined where that is nothing.
+ *
+ * @template T @param {unknown} base @param {T} document @returns {Part<T> | undefined}
+ */
 export function difference(base, document) {
   if (equal(base, document)) return undefined;
-  if (!isRecord(base) || !isRecord(document)) return document;
-  /** @type {Record<string, any>} */
+  if (!isRecord(base) || !isRecord(document)) return /** @type {Part<T>} */ (document);
+  /** @type {Record<string, unknown>} */
   const out = {};
   for (const key of Object.keys(document)) {
     const part = difference(base[key], document[key]);
     if (part !== undefined) out[key] = part;
   }
-  return out;
+  return /** @type {Part<T>} */ (out);
 }
 
 /** Whether a change at `changed` concerns a listener at `path`. @param {string} path @param {string} changed */

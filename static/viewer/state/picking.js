@@ -2,8 +2,13 @@
  * Hand-picked cells (SPEC F4): what dig, undig and isolate make of the picking part of the status. `hidden` cells
  * are hidden whatever the filters say, `shown` cells are shown; when `isolated`, all but `shown` are hidden.
  *
- * @typedef {{ enabled: boolean, isolated: boolean, hidden: readonly number[], shown: readonly number[] }} Picking
+ * @typedef {import("./status.js").Status["filters"]["picking"]} Picking
  */
+
+/** Take a tool to hand, or put it away. @param {import("./facts.js").Facts} facts @param {import("./facts.js").Tool} tool */
+export function toggleTool(facts, tool) {
+  facts.set({ tool: facts.get("tool") === tool ? "turn" : tool });
+}
 
 /** @param {readonly number[]} list @param {number} cell */
 const without = (list, cell) => list.filter((one) => one !== cell);
@@ -43,20 +48,20 @@ export function isClear(picking) {
  * Cell numbers as typed: "3, 10-14 20". Numbers run from 0 in file order.
  *
  * @param {string} text @param {number} cells how many cells the mesh has
- * @returns {{ cells: number[], problem: string }} `problem` names what could not be understood, or is empty
+ * @returns {{ cells: number[], wrong: string }} `wrong` names what could not be understood, or is empty
  */
 export function parseCells(text, cells) {
   /** @type {Set<number>} */
   const found = new Set();
   for (const word of text.split(/[\s,;]+/).filter(Boolean)) {
     const match = /^(\d+)(?:[-–](\d+))?$/.exec(word);
-    if (!match) return { cells: [], problem: `“${word}” is not a cell number` };
+    if (!match) return { cells: [], wrong: `“${word}” is not a cell number` };
     const [first, last] = [Number(match[1]), Number(match[2] ?? match[1])];
     if (Math.max(first, last) >= cells)
-      return { cells: [], problem: `“${word}”: cells run from 0 to ${cells - 1}` };
+      return { cells: [], wrong: `“${word}”: cells run from 0 to ${cells - 1}` };
     for (let cell = Math.min(first, last); cell <= Math.max(first, last); cell++) found.add(cell);
   }
-  return { cells: [...found].sort((a, b) => a - b), problem: "" };
+  return { cells: [...found].sort((a, b) => a - b), wrong: "" };
 }
 
 /** Cell numbers in the form `parseCells` reads, runs drawn together. @param {readonly number[]} cells */

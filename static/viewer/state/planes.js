@@ -4,7 +4,7 @@ import { dot, nearestAxis, normalised, scaled } from "./vectors.js";
  * What can be done to the list of cutting planes (SPEC F1). Each function makes a new list or plane.
  *
  * @typedef {import("./vectors.js").Vector} Vector
- * @typedef {{ enabled: boolean, normal: Vector, offset: number }} Plane
+ * @typedef {import("./status.js").Status["filters"]["planes"]["items"][number]} Plane
  */
 
 /** Within 20 degrees of opposite, setting the plane from the view inverts it. */
@@ -13,7 +13,8 @@ const OPPOSITE = -Math.cos((20 * Math.PI) / 180);
 /** @param {Plane} plane @returns {Plane} */
 export function inverted(plane) {
   const offset = Math.round((1 - plane.offset) * 1e12) / 1e12;
-  return { ...plane, normal: /** @type {any} */ (scaled(plane.normal, -1).map((x) => x || 0)), offset };
+  const [x, y, z] = scaled(plane.normal, -1);
+  return { ...plane, normal: [x || 0, y || 0, z || 0], offset }; // never -0
 }
 
 /**
@@ -26,6 +27,16 @@ export function fromView(plane, direction, snap) {
   const view = normalised(direction);
   if (dot(view, normalised(plane.normal)) < OPPOSITE) return inverted(plane);
   return { ...plane, enabled: true, normal: snap ? nearestAxis(view) : view };
+}
+
+/**
+ * The planes, and the number of the one at hand.
+ *
+ * @param {{ store: import("./store.js").StatusStore, facts: import("./facts.js").Facts }} known
+ */
+export function planesOf({ store, facts }) {
+  const planes = store.status.filters.planes.items;
+  return { planes, index: Math.min(facts.get("plane"), Math.max(0, planes.length - 1)) };
 }
 
 /** @param {readonly Plane[]} planes @param {number} index @param {Partial<Plane>} change @returns {Plane[]} */

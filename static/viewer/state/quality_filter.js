@@ -1,7 +1,7 @@
 /**
  * The quality filter (SPEC F3) as the panel shows it: which end of the values is kept, and its bounds in native values.
  *
- * @typedef {{ quantity: string, keep: "inside" | "outside", minimum: number | null, maximum: number | null }} Item
+ * @typedef {import("./status.js").Status["filters"]["quality"]["items"][number]} Band
  * @typedef {{ worstValue: number, bestValue: number }} Scale  ends of the slider, in native values
  * @typedef {"worst" | "best" | "band" | "outside"} Keep
  */
@@ -25,19 +25,19 @@ export const KEEP_NAMES_OF_ATTRIBUTES = {
 /** Whether a high value is a good one. @param {Scale} scale */
 const highIsBest = (scale) => scale.bestValue >= scale.worstValue;
 
-/** @param {Item | undefined} item @param {Scale} scale @returns {Keep} */
-export function keepOf(item, scale) {
-  if (!item) return "worst";
-  if (item.keep === "outside") return "outside";
-  if (item.minimum !== null && item.maximum !== null) return "band";
-  if (item.minimum === null && item.maximum === null) return "worst";
-  return (item.maximum !== null) === highIsBest(scale) ? "worst" : "best";
+/** @param {Band | undefined} band @param {Scale} scale @returns {Keep} */
+export function keepOf(band, scale) {
+  if (!band) return "worst";
+  if (band.keep === "outside") return "outside";
+  if (band.minimum !== null && band.maximum !== null) return "band";
+  if (band.minimum === null && band.maximum === null) return "worst";
+  return (band.maximum !== null) === highIsBest(scale) ? "worst" : "best";
 }
 
 /**
- * The item that keeps one end, its threshold given as a share of the way: 0 hides nothing, 1 hides all but the far end.
+ * The band that keeps one end, its threshold given as a share of the way: 0 hides nothing, 1 hides all but the far end.
  *
- * @param {string} quantity @param {"worst" | "best"} keep @param {number} share @param {Scale} scale @returns {Item | null}
+ * @param {string} quantity @param {"worst" | "best"} keep @param {number} share @param {Scale} scale @returns {Band | null}
  */
 export function oneSided(quantity, keep, share, scale) {
   if (share <= 0) return null;
@@ -46,38 +46,38 @@ export function oneSided(quantity, keep, share, scale) {
   return boundedBy(quantity, keep, start + share * (end - start), scale);
 }
 
-/** The item with a typed threshold. @param {string} quantity @param {"worst" | "best"} keep @param {number} value @param {Scale} scale @returns {Item} */
+/** The band with a typed threshold. @param {string} quantity @param {"worst" | "best"} keep @param {number} value @param {Scale} scale @returns {Band} */
 export function boundedBy(quantity, keep, value, scale) {
   const isMaximum = (keep === "worst") === highIsBest(scale);
   return { quantity, keep: "inside", minimum: isMaximum ? null : value, maximum: isMaximum ? value : null };
 }
 
-/** The native threshold of a one-sided item, or null. @param {Item | undefined} item */
-export function thresholdOf(item) {
-  return item ? (item.maximum ?? item.minimum) : null;
+/** The native threshold of a one-sided band, or null. @param {Band | undefined} band */
+export function thresholdOf(band) {
+  return band ? (band.maximum ?? band.minimum) : null;
 }
 
-/** Where on the slider the item stands. @param {Item | undefined} item @param {"worst" | "best"} keep @param {Scale} scale */
-export function shareOf(item, keep, scale) {
-  const value = thresholdOf(item);
+/** Where on the slider the band stands. @param {Band | undefined} band @param {"worst" | "best"} keep @param {Scale} scale */
+export function shareOf(band, keep, scale) {
+  const value = thresholdOf(band);
   if (value === null) return 0;
   const [start, end] =
     keep === "worst" ? [scale.bestValue, scale.worstValue] : [scale.worstValue, scale.bestValue];
   return end === start ? 0 : Math.min(1, Math.max(0, (value - start) / (end - start)));
 }
 
-/** The item when another way of keeping is chosen. @param {string} quantity @param {Keep} keep @param {Item | undefined} item @param {Scale} scale @returns {Item | null} */
-export function changedKeep(quantity, keep, item, scale) {
+/** The band when another way of keeping is chosen. @param {string} quantity @param {Keep} keep @param {Band | undefined} band @param {Scale} scale @returns {Band | null} */
+export function changedKeep(quantity, keep, band, scale) {
   const low = Math.min(scale.worstValue, scale.bestValue);
   const high = Math.max(scale.worstValue, scale.bestValue);
   if (keep === "band" || keep === "outside") {
     return {
       quantity,
       keep: keep === "band" ? "inside" : "outside",
-      minimum: item?.minimum ?? low,
-      maximum: item?.maximum ?? high,
+      minimum: band?.minimum ?? low,
+      maximum: band?.maximum ?? high,
     };
   }
-  const value = thresholdOf(item) ?? (keep === "worst" ? scale.bestValue : scale.worstValue);
+  const value = thresholdOf(band) ?? (keep === "worst" ? scale.bestValue : scale.worstValue);
   return boundedBy(quantity, keep, value, scale);
 }

@@ -3,21 +3,25 @@ import { metricOf } from "./tables.js";
 /**
  * What is looked at, coloured and filtered by: a quantity, that is a metric or one of the file's attributes; and its scale.
  *
- * @typedef {import("../widgets/bind.js").Context} Context
+ * @typedef {object} Known  what tells of it
+ * @property {import("./store.js").StatusStore} store
+ * @property {import("./facts.js").Facts} facts
+ * @property {import("./tables.js").Tables} tables
+ *
  * @typedef {{ id: string, name: string, symbol: string, attribute: boolean, worstValue: number, bestValue: number,
  *   acceptable: readonly [number | null, number | null] | null }} Quantity
  */
 
-/** @param {Context} context @returns {Quantity} */
+/** @param {Known} known @returns {Quantity} */
 export function quantityOf({ store, facts, tables }) {
   const { by, metric, attribute } = store.status.colour;
   const id = by === "attribute" && attribute ? attribute : metric;
   const row = metricOf(tables, id);
   const histogram = facts.get("histogram");
-  const statistics = facts.get("statistics")?.[id];
-  const known = histogram?.quantity === id ? histogram : null;
-  const low = known?.low ?? statistics?.min ?? 0;
-  const high = known?.high ?? statistics?.max ?? 1;
+  const statistics = facts.get("statistics")[id];
+  const axis = histogram?.quantity === id ? histogram : null;
+  const low = axis?.low ?? statistics?.min ?? 0;
+  const high = axis?.high ?? statistics?.max ?? 1;
   const better = row?.better ?? "low";
   return {
     id,
@@ -30,15 +34,15 @@ export function quantityOf({ store, facts, tables }) {
   };
 }
 
-/** @param {any} summary @param {string} id */
+/** @param {import("./facts.js").MeshSummary | null} summary @param {string} id */
 function attributeName(summary, id) {
-  return summary?.attributes?.find((/** @type {any} */ one) => one.id === id)?.name ?? id;
+  return summary?.attributes?.find((one) => one.id === id)?.name ?? id;
 }
 
-/** Metrics, then the file's attributes, for a combo box. @param {Context} context */
+/** Metrics, then the file's attributes, for a combo box. @param {Known} known */
 export function quantityOptions({ facts, tables }) {
   const metrics = tables.metrics.map(({ id, name }) => ({ value: id, name, group: "Quality" }));
-  const attributes = (facts.get("summary")?.attributes ?? []).map((/** @type {any} */ one) => ({
+  const attributes = (facts.get("summary")?.attributes ?? []).map((one) => ({
     value: one.id,
     name: one.name,
     group: one.on === "cell" ? "Of cells" : "Of points",
@@ -48,7 +52,7 @@ export function quantityOptions({ facts, tables }) {
     : metrics.map(({ value, name }) => ({ value, name }));
 }
 
-/** The partial status that makes a metric or attribute the one looked at. @param {string} id @param {Context} context */
+/** The partial status that makes a metric or attribute the one looked at. @param {string} id @param {Known} known @returns {import("./status.js").PartialStatus} */
 export function chooseQuantity(id, { store, tables }) {
   const { by } = store.status.colour;
   if (metricOf(tables, id))

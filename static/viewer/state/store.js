@@ -1,9 +1,13 @@
 import { changedPaths, deepFreeze, merge, partialAt, touches, valueAt } from "./paths.js";
 
 /**
- * @typedef {Readonly<Record<string, any>>} Status
- * @typedef {(status: Status, changed: readonly string[]) => void} StatusListener
+ * @typedef {import("./status.js").Status} Status
  * @typedef {{ undo?: string | false }} SetOptions  `undo`: a key under which changes in a row are one step; false: not a step
+ */
+
+/**
+ * @template T
+ * @typedef {import("./status.js").Part<T>} Part
  */
 
 const HISTORY_LIMIT = 200;
@@ -16,16 +20,19 @@ const HISTORY_LIMIT = 200;
  *     store.on("filters.peel", (status) => draw(status.filters.peel.depth));
  *     store.set({ filters: { peel: { depth: 2 } } });
  *     store.undo();
+ *
+ * @template {object} [Whole=Status]
  */
 export class StatusStore {
-  /** @type {Status} */ #defaults;
-  /** @type {Status} */ #status;
-  /** @type {Set<{ path: string, listener: StatusListener }>} */ #listeners = new Set();
-  /** @type {Status[]} */ #past = [];
-  /** @type {Status[]} */ #future = [];
+  /** @type {Whole} */ #defaults;
+  /** @type {Whole} */ #status;
+  /** @type {Set<{ path: string, listener: (status: Whole, changed: readonly string[]) => void }>} */
+  #listeners = new Set();
+  /** @type {Whole[]} */ #past = [];
+  /** @type {Whole[]} */ #future = [];
   /** @type {string | null} */ #openKey = null;
 
-  /** @param {Status} defaults */
+  /** @param {Whole} defaults */
   constructor(defaults) {
     this.#defaults = deepFreeze(structuredClone(defaults));
     this.#status = this.#defaults;
@@ -50,7 +57,7 @@ export class StatusStore {
   /**
    * Merge a partial document into the status and tell the listeners.
    *
-   * @param {any} partial @param {SetOptions} [options]
+   * @param {Part<Whole>} partial @param {SetOptions} [options]
    * @returns {readonly string[]} paths that changed
    */
   set(partial, { undo } = {}) {
@@ -66,17 +73,17 @@ export class StatusStore {
     return this.#replace(next);
   }
 
-  /** Put one value at a path. @param {string} path @param {any} value @param {SetOptions} [options] */
+  /** Put one value at a path. @param {string} path @param {unknown} value @param {SetOptions} [options] */
   setAt(path, value, options) {
-    return this.set(partialAt(this.#status, path, value), options);
+    return this.set(/** @type {Part<Whole>} */ (partialAt(this.#status, path, value)), options);
   }
 
-  /** @param {string} path @returns {any} */
+  /** @param {string} path @returns {unknown} */
   valueAt(path) {
     return valueAt(this.#status, path);
   }
 
-  /** @param {string} path @returns {any} */
+  /** @param {string} path @returns {unknown} */
   defaultAt(path) {
     return valueAt(this.#defaults, path);
   }
@@ -106,7 +113,7 @@ export class StatusStore {
 
   /**
    * @param {string} path a path, or "*" for every change
-   * @param {StatusListener} listener
+   * @param {(status: Whole, changed: readonly string[]) => void} listener
    * @returns {() => void} stops listening
    */
   on(path, listener) {
@@ -115,17 +122,18 @@ export class StatusStore {
     return () => void this.#listeners.delete(entry);
   }
 
-  /** @param {Status[]} from @param {Status[]} to */
+  /** @param {Whole[]} from @param {Whole[]} to */
   #step(from, to) {
     const target = from.pop();
     if (!target) return false;
     to.push(this.#status);
     this.seal();
-    this.#replace({ ...target, mesh: this.#status.mesh });
+    const { mesh } = /** @type {{ mesh?: unknown }} */ (this.#status);
+    this.#replace({ ...target, mesh });
     return true;
   }
 
-  /** @param {Status} next */
+  /** @param {Whole} next */
   #replace(next) {
     const changed = changedPaths(this.#status, next);
     this.#status = deepFreeze(next);

@@ -12,11 +12,18 @@
  *
  * @typedef {{ id: string, name: string, extensions: readonly string[] }} FormatRow
  *
+ * @typedef {import("./status.js").Choices} Choices
+ * @typedef {import("./answers.js").Statistics} Statistics
+ * @typedef {{ [Name in keyof Statistics]: Statistics[Name] extends number | null ? Name : never }[keyof Statistics]} NumberName
+ *
  * @typedef {object} Tables
  * @property {string} version of the program
- * @property {Record<string, any>} defaults the status document's
+ * @property {import("./status.js").Status} defaults the status document's
  * @property {readonly string[]} core_paths settings that concern the core
+ * @property {{ readonly [Path in keyof Choices]: readonly Choices[Path][] }} choices words that a setting takes, by its path
+ * @property {Readonly<Record<string, readonly [number, number]>>} limits of a setting that is a number between two
  * @property {readonly string[]} described parts of a mesh's description, the quick ones first
+ * @property {readonly NumberName[]} statistics names of those that the catalogue holds
  * @property {readonly MetricRow[]} metrics
  * @property {readonly FormatRow[]} formats
  */

@@ -20,5 +20,6 @@ export function normalised(a) {
 export function nearestAxis(a) {
   const sizes = a.map(Math.abs);
   const axis = sizes.indexOf(Math.max(...sizes));
-  return /** @type {any} */ ([0, 1, 2].map((index) => (index === axis ? Math.sign(a[axis]) || 1 : 0)));
+  const along = (/** @type {number} */ index) => (index === axis ? Math.sign(a[axis]) || 1 : 0);
+  return [along(0), along(1), along(2)];
 }

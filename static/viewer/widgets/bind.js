@@ -2,26 +2,79 @@
  * What every widget is given, and how a control's description is tied to the status.
  *
  * @typedef {import("../state/store.js").StatusStore} StatusStore
- * @typedef {import("../state/store.js").Status} Status
+ * @typedef {import("../state/status.js").PartialStatus} PartialStatus
  * @typedef {import("../state/facts.js").Facts} Facts
+ * @typedef {keyof import("../state/facts.js").FactTable} FactName
  *
  * @typedef {object} Context
  * @property {StatusStore} store
  * @property {Facts} facts
- * @property {any} app the actions that are more than a setting: open, download, inspect, ...
+ * @property {Actions} app
  * @property {import("../state/tables.js").Tables} tables the core's tables: metrics, formats, defaults
  *
- * @typedef {{ value: string, name: string, group?: string }} Option
- * @typedef {readonly [number, number, number]} Range
+ * @typedef {object} Actions  what the page asks of the application that is more than a setting
+ * @property {string} root address of the site's root
+ * @property {(files: readonly File[]) => Promise<unknown>} openFiles
+ * @property {(source: string) => void} chooseSource
+ * @property {(source: string, mesh: string) => void} chooseEntry
+ * @property {(cell: number | null) => unknown} inspect
+ * @property {(cell: number) => unknown} flyTo
+ * @property {(tool: import("../state/facts.js").PickingTool, cell: number) => void} pick
+ * @property {(finding: import("../state/answers.js").Finding) => unknown} showFinding
+ * @property {(format: ChartFormat) => unknown} saveHistogram
+ * @property {{ dismiss: (id: number) => void }} messages
+ * @property {{ text: () => string, apply: (document: unknown) => Promise<import("../state/answers.js").Rejection[]> }} documents
+ * @property {{ savePicture: (size: Size & { transparent: boolean }) => unknown, saveStatus: () => void, link: () => Promise<string> }} saving
+ * @property {{ run: (archive: ArrayBuffer, options: Size & Run) => Promise<Blob> }} batch
+ * @property {Pick<import("../scene/scene_like.js").SceneLike, "resize">} scene
  *
- * @typedef {object} Box  what a control's number or text box does otherwise than the control
- * @property {any} [initial] value that a reset puts back
+ * @typedef {"png" | "svg" | "csv"} ChartFormat
+ * @typedef {{ width: number, height: number }} Size  in pixels
+ * @typedef {{ signal: AbortSignal, report: (done: number, of: number, name: string) => void }} Run
+ *
+ * @typedef {{ value: string, name: string, group?: string }} Option
+ * @typedef {readonly [number, number, number]} Range  lowest, highest, step
+ *
+ * @typedef {object} Dependencies
+ * @property {readonly string[]} [status] paths
+ * @property {readonly FactName[]} [facts]
+ *
+ * @typedef {object} Row  what every control has
+ * @property {string} [id] unique on the page
+ * @property {string} [label]
+ * @property {string} [hint] more about it, as a tooltip
+ * @property {string} [path] where its value stands in the status
+ * @property {readonly string[]} [status] further paths it depends on
+ * @property {readonly FactName[]} [facts] facts it depends on
+ * @property {string} [enabled] path of the switch before its label
+ * @property {(context: Context) => string} [why] why it has no effect now; empty if it has
+ * @property {boolean} [full] whether it takes the whole width, its label for screen readers alone
+ * @property {(context: Context) => boolean} [hidden] whether it is left out now
+ * @property {readonly Control[]} [more] rows that stay folded below this one until asked for
+ */
+
+/**
+ * A value that is not simply what stands at `path`: how it is read, the partial status that it makes (null changes
+ * nothing), and what a reset puts back.
+ *
+ * @template Value
+ * @typedef {{ path?: string, read?: (context: Context) => Value, initial?: Value,
+ *   write?: (value: Value, context: Context) => PartialStatus | null | void }} Valued
+ */
+
+/**
+ * @typedef {object} Box  what a slider's number box does otherwise than the slider
  * @property {(context: Context) => Range} [range]
- * @property {(context: Context) => number | null} [read]
- * @property {(value: number, context: Context) => any} [write]
- * @property {(value: string, context: Context) => string} [check] names what is wrong with a text
- * @property {(context: Context) => void} [press] the slider is held
- * @property {(context: Context) => void} [release]
+ * @property {(context: Context) => number} [read]
+ * @property {(value: number, context: Context) => PartialStatus | null} [write]
+ *
+ * @typedef {object} NumberField  one of several number boxes side by side
+ * @property {string} name
+ * @property {(context: Context) => number | null} read
+ * @property {(value: number | null, context: Context) => PartialStatus | null} write null: the box was emptied
+ * @property {boolean} [optional] whether it may be empty
+ * @property {(context: Context) => Range} [range]
+ * @property {(context: Context) => string} [placeholder]
  *
  * @typedef {object} Action  a button
  * @property {string} name
@@ -32,34 +85,41 @@
  * @property {(context: Context) => boolean} [pressed]
  * @property {(context: Context) => boolean} [disabled]
  *
- * @typedef {object} Control  one row of a panel's table
- * @property {string} kind name of the widget
- * @property {string} [id] unique on the page
- * @property {string} [label]
- * @property {string} [hint] more about it, as a tooltip
- * @property {string} [path] where its value stands in the status
- * @property {(context: Context) => any} [read] its value, where that is not simply what stands at `path`
- * @property {(value: any, context: Context) => any} [write] the partial status that a value makes; null changes nothing
- * @property {string[]} [status] further paths it depends on
- * @property {string[]} [facts] facts it depends on
- * @property {string} [enabled] path of the switch before its label
- * @property {(context: Context) => string} [why] why it has no effect now; empty if it has
- * @property {boolean} [full] whether it takes the whole width, its label for screen readers alone
- * @property {(context: Context) => boolean} [hidden] whether it is left out now
- * @property {readonly Option[] | ((context: Context) => readonly Option[])} [options] of a combo box
- * @property {Range | ((context: Context) => Range)} [range] lowest, highest, step
+ * @typedef {object} SliderParts
+ * @property {"slider"} kind
+ * @property {Range | ((context: Context) => Range)} [range]
  * @property {number} [digits] after the point
  * @property {Box} [box]
  * @property {readonly string[]} [names] what the slider's steps are called
- * @property {readonly any[]} [items] parts: see the widget
- * @property {readonly Control[]} [more] rows that stay folded below this one until asked for
- * @property {(context: Context) => HTMLElement} [render]
+ * @property {(context: Context) => void} [press] it is held
+ * @property {(context: Context) => void} [release]
+ *
+ * @typedef {object} ChoiceParts
+ * @property {"choice"} kind
+ * @property {readonly Option[] | ((context: Context) => readonly Option[])} options
+ *
+ * @typedef {object} TextParts
+ * @property {"text"} kind
+ * @property {(value: string, context: Context) => string} [check] names what is wrong with a text
+ *
+ * @typedef {Row & Valued<number> & SliderParts} SliderControl
+ * @typedef {Row & Valued<string> & ChoiceParts} ChoiceControl
+ * @typedef {Row & Valued<boolean> & { kind: "toggle" }} ToggleControl
+ * @typedef {Row & Valued<string> & TextParts} TextControl
+ * @typedef {Row & { kind: "colours", items: readonly { path: string, name: string }[] }} ColoursControl
+ * @typedef {Row & { kind: "numbers", items: readonly NumberField[], digits?: number }} NumbersControl
+ * @typedef {Row & { kind: "actions", items: readonly Action[] }} ActionsControl
+ * @typedef {Row & { kind: "more", id: string, items: readonly Control[] }} MoreControl  rows that are folded away
+ * @typedef {Row & { kind: "custom", render: (context: Context) => HTMLElement }} CustomControl
+ *
+ * @typedef {SliderControl | ChoiceControl | ToggleControl | TextControl | ColoursControl | NumbersControl | ActionsControl
+ *   | MoreControl | CustomControl} Control  one row of a panel's table
  */
 
 /**
  * Call `update` now and whenever one of the paths or facts changes.
  *
- * @param {Context} context @param {{ status?: readonly string[], facts?: readonly string[] }} dependencies @param {() => void} update
+ * @param {Context} context @param {Dependencies} dependencies @param {() => void} update
  */
 export function watch({ store, facts }, { status = [], facts: names = [] }, update) {
   let told = false;
@@ -76,7 +136,7 @@ export function watch({ store, facts }, { status = [], facts: names = [] }, upda
   update();
 }
 
-/** What a control depends on. @param {Control} control */
+/** What a control depends on. @param {Row} control @returns {Dependencies} */
 export function dependencies(control) {
   const status = [control.path, control.enabled, ...(control.status ?? [])].filter(
     (path) => path !== undefined,
@@ -84,27 +144,32 @@ export function dependencies(control) {
   return { status, facts: control.facts ?? [] };
 }
 
-/** @param {Control} control @param {Context} context @returns {any} */
-export function readValue(control, context) {
-  return control.read ? control.read(context) : context.store.valueAt(/** @type {string} */ (control.path));
+/** @template Value @param {Valued<Value>} control @param {Context} context @returns {Value} */
+export function readValue({ read, path }, context) {
+  return read ? read(context) : /** @type {Value} */ (context.store.valueAt(path ?? ""));
 }
 
-/** @param {Control} control @param {any} value @param {Context} context @param {string} [undo] key that merges undo steps */
-export function writeValue(control, value, context, undo) {
+/**
+ * @template Value
+ * @param {Valued<Value>} control @param {Value} value @param {Context} context @param {string} [undo] key that merges undo steps
+ */
+export function writeValue({ write, path }, value, context, undo) {
   const options = undo === undefined ? {} : { undo };
-  if (!control.write) return context.store.setAt(/** @type {string} */ (control.path), value, options);
-  const partial = control.write(value, context);
+  if (!write) return context.store.setAt(path ?? "", value, options);
+  const partial = write(value, context);
   return partial ? context.store.set(partial, options) : [];
 }
 
-/** @param {Control} control */
+/** @param {object} control @returns {boolean} */
 export function canReset(control) {
-  return Boolean(control.path && !control.write) || control.box?.initial !== undefined;
+  const { path, write, initial } = /** @type {Valued<unknown>} */ (control);
+  return Boolean(path && !write) || initial !== undefined;
 }
 
-/** Put a control's value back to the default. @param {Control} control @param {Context} context */
+/** Put a control's value back to the default. @param {object} control @param {Context} context */
 export function reset(control, context) {
-  if (control.path && !control.write)
-    context.store.setAt(control.path, context.store.defaultAt(control.path));
-  else if (control.box?.initial !== undefined) writeValue(control, control.box.initial, context);
+  const valued = /** @type {Valued<unknown>} */ (control);
+  const { path, write, initial } = valued;
+  if (path && !write) context.store.setAt(path, context.store.defaultAt(path));
+  else if (initial !== undefined) writeValue(valued, initial, context);
 }

@@ -3,8 +3,8 @@ import { freshId, h } from "./dom.js";
 import { row } from "./row.js";
 
 /**
- * @typedef {import("./bind.js").Context} Context @typedef {import("./bind.js").Control} Control
- * @typedef {{ value: string, name: string, group?: string }} Option
+ * @typedef {import("./bind.js").Context} Context
+ * @typedef {import("./bind.js").Option} Option
  */
 
 /** Fill a combo box, options of one group together. @param {HTMLSelectElement} select @param {readonly Option[]} options */
@@ -27,7 +27,7 @@ export function fill(select, options) {
   }
 }
 
-/** A combo box. `options` is a list of {value, name} or a function that makes it. @param {Context} context @param {Control} control */
+/** A combo box. `options` is a list of {value, name} or a function that makes it. @param {Context} context @param {import("./bind.js").ChoiceControl} control */
 export function choice(context, control) {
   const select = h("select", {
     id: control.id ?? freshId("choice"),
@@ -35,13 +35,13 @@ export function choice(context, control) {
     onchange: () => writeValue(control, select.value, context),
   });
   const update = () => {
-    fill(select, typeof control.options === "function" ? control.options(context) : (control.options ?? []));
+    fill(select, typeof control.options === "function" ? control.options(context) : control.options);
     select.value = readValue(control, context);
   };
   return row(context, control, { body: [select], target: select, update, className: "row-wide" });
 }
 
-/** A check box with its text. @param {Context} context @param {Control} control */
+/** A check box with its text. @param {Context} context @param {import("./bind.js").ToggleControl} control */
 export function toggle(context, control) {
   const box = h("input", {
     type: "checkbox",
@@ -49,6 +49,6 @@ export function toggle(context, control) {
     class: "row-check",
     onchange: () => writeValue(control, box.checked, context),
   });
-  const update = () => void (box.checked = Boolean(readValue(control, context)));
+  const update = () => void (box.checked = readValue(control, context));
   return row(context, control, { body: [box], target: box, update, className: "row-wide" });
 }

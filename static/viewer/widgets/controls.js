@@ -1,10 +1,10 @@
 /**
  * Row makers for the panels' tables, typed by what they hold.
  *
- * @typedef {import("./bind.js").Control} Control @typedef {import("./bind.js").Action} Action
+ * @typedef {import("./bind.js").Control} Control
  */
 
-/** A row of buttons. @param {Omit<Control, "kind" | "items"> & { items: readonly Action[] }} row @returns {Control} */
+/** A row of buttons. @param {Omit<import("./bind.js").ActionsControl, "kind">} row @returns {Control} */
 export const buttons = (row) => ({ kind: "actions", ...row });
 
 /** Controls folded away until asked for. @param {string} id @param {string} label @param {readonly Control[]} items @returns {Control} */

@@ -1,11 +1,17 @@
 /**
+ * @typedef {string | number | boolean | null | undefined} Attribute
+ * @typedef {Readonly<Record<string, Attribute | ((event: never) => void)>>} Properties
+ * @typedef {Node | string | null | undefined | false} Child
+ */
+
+/**
  * Makes an element. Properties that start with "on" are listeners, `class`, `for`, `aria-*`, `data-*` and the like
  * are attributes; true and false set and leave out an attribute. Text goes in as text, never as markup.
  *
  *     h("button", { class: "tool", type: "button", onclick: dig }, icon("dig"), "Dig")
  *
  * @template {keyof HTMLElementTagNameMap} K
- * @param {K} tag @param {Record<string, any>} [properties] @param {...(Node | string | null | undefined | false)} children
+ * @param {K} tag @param {Properties} [properties] @param {...Child} children
  * @returns {HTMLElementTagNameMap[K]}
  */
 export function h(tag, properties = {}, ...children) {
@@ -15,7 +21,7 @@ export function h(tag, properties = {}, ...children) {
   return element;
 }
 
-/** The same for SVG. @param {string} tag @param {Record<string, any>} [properties] @param {...(Node | string | null | undefined | false)} children */
+/** The same for SVG. @param {string} tag @param {Properties} [properties] @param {...Child} children */
 export function s(tag, properties = {}, ...children) {
   const element = document.createElementNS("http://www.w3.org/2000/svg", tag);
   apply(element, properties);
@@ -23,20 +29,21 @@ export function s(tag, properties = {}, ...children) {
   return /** @type {SVGElement} */ (element);
 }
 
-/** @param {Node | string | null | undefined | false} child @returns {child is Node | string} */
+/** @param {Child} child @returns {child is Node | string} */
 function isPresent(child) {
   return child !== null && child !== undefined && child !== false && child !== "";
 }
 
-/** @param {Element} element @param {Record<string, any>} properties */
+/** @param {Element} element @param {Properties} properties */
 function apply(element, properties) {
   for (const [name, value] of Object.entries(properties)) {
-    if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
+    if (typeof value === "function")
+      element.addEventListener(name.slice(2), /** @type {EventListener} */ (value));
     else setAttribute(element, name, value);
   }
 }
 
-/** @param {Element} element @param {string} name @param {string | number | boolean | null | undefined} value */
+/** @param {Element} element @param {string} name @param {Attribute} value */
 export function setAttribute(element, name, value) {
   if (value === false || value === null || value === undefined) element.removeAttribute(name);
   else element.setAttribute(name, value === true ? "" : String(value));

@@ -1,15 +1,16 @@
-import { reset, writeValue } from "./bind.js";
+import { readValue, reset, writeValue } from "./bind.js";
 import { freshId, h } from "./dom.js";
 import { icon } from "./icons.js";
 import { numberField } from "./number_field.js";
 import { row } from "./row.js";
 
-/** @typedef {import("./bind.js").Context} Context @typedef {import("./bind.js").Control} Control */
+/** @typedef {import("./bind.js").Context} Context */
 
-/** Colour pickers side by side: `items` are {path, name}. @param {Context} context @param {Control} control */
+/** Colour pickers side by side. @param {Context} context @param {import("./bind.js").ColoursControl} control */
 export function colours(context, control) {
-  const { items = [] } = control;
-  const swatches = items.map((/** @type {{ path: string, name: string }} */ { path, name }) => {
+  const { items } = control;
+  const colourAt = (/** @type {string} */ path) => String(context.store.valueAt(path));
+  const swatches = items.map(({ path, name }) => {
     const id = freshId("colour");
     const picker = h("input", {
       type: "color",
@@ -28,16 +29,16 @@ export function colours(context, control) {
       onchange: () => {
         const clean = /^#?([0-9a-f]{6})$/i.exec(text.value.trim());
         if (clean) context.store.setAt(path, `#${clean[1].toLowerCase()}`);
-        text.value = context.store.valueAt(path);
+        text.value = colourAt(path);
       },
     });
     const show = () => {
-      picker.value = context.store.valueAt(path);
+      picker.value = colourAt(path);
       if (document.activeElement !== text) text.value = picker.value;
     };
     const caption = h(
       "label",
-      { class: "swatch-name", for: id, ondblclick: () => reset({ kind: "", path }, context) },
+      { class: "swatch-name", for: id, ondblclick: () => reset({ path }, context) },
       name,
     );
     return {
@@ -51,25 +52,18 @@ export function colours(context, control) {
     swatches.length === 1
       ? swatches[0].picker
       : h("span", { class: "swatches", role: "group", "aria-label": control.label });
-  if (swatches.length > 1) target.append(...swatches.map((/** @type {any} */ swatch) => swatch.element));
+  if (swatches.length > 1) target.append(...swatches.map((swatch) => swatch.element));
   const body = swatches.length === 1 ? [swatches[0].element] : [target];
-  const shown = {
-    ...control,
-    status: items.map((/** @type {any} */ item) => item.path).concat(control.status ?? []),
-  };
-  const update = () => swatches.forEach((/** @type {any} */ swatch) => swatch.show());
-  return row(context, shown, { body, target, update, className: "row-wide" });
+  const status = [...items.map(({ path }) => path), ...(control.status ?? [])];
+  const update = () => swatches.forEach((swatch) => swatch.show());
+  return row(context, { ...control, status }, { body, target, update, className: "row-wide" });
 }
 
-/**
- * Number boxes side by side: `items` are {name, read(context), write(value, context), optional?, range?}.
- *
- * @param {Context} context @param {Control} control
- */
+/** Number boxes side by side. @param {Context} context @param {import("./bind.js").NumbersControl} control */
 export function numbers(context, control) {
-  const { items = [] } = control;
+  const { items } = control;
   const group = h("span", { class: "numbers", role: "group", "aria-label": control.label });
-  const fields = items.map((/** @type {any} */ item) => {
+  const fields = items.map((item) => {
     const field = numberField({
       label: `${control.label}, ${item.name}`,
       digits: control.digits ?? 3,
@@ -84,19 +78,15 @@ export function numbers(context, control) {
     };
     return { show };
   });
-  const update = () => fields.forEach((/** @type {any} */ field) => field.show());
+  const update = () => fields.forEach((field) => field.show());
   return row(context, control, { body: [group], target: group, update, className: "row-wide" });
 }
 
-/**
- * Buttons in a row: `items` are {name, icon?, hint?, press(context, event), pressed?(context), disabled?(context)}.
- *
- * @param {Context} context @param {Control} control
- */
+/** Buttons in a row. @param {Context} context @param {import("./bind.js").ActionsControl} control */
 export function actions(context, control) {
-  const { items = [] } = control;
+  const { items } = control;
   const group = h("span", { class: "actions", role: "group", "aria-label": control.label });
-  const buttons = items.map((/** @type {any} */ item) => {
+  const buttons = items.map((item) => {
     const button = h(
       "button",
       {
@@ -121,7 +111,7 @@ export function actions(context, control) {
   return row(context, control, { body: [group], target: group, update, className: "row-wide" });
 }
 
-/** A line of text to type: `read` and `write` as in every control; `write` may return {problem}. @param {Context} context @param {Control} control */
+/** A line of text to type. @param {Context} context @param {import("./bind.js").TextControl} control */
 export function text(context, control) {
   const input = h("input", {
     type: "text",
@@ -131,14 +121,14 @@ export function text(context, control) {
     spellcheck: "false",
     placeholder: control.hint,
     onchange: () => {
-      const problem = control.box?.check?.(input.value, context) ?? "";
-      input.setCustomValidity(problem);
-      if (problem) input.reportValidity();
+      const wrong = control.check?.(input.value, context) ?? "";
+      input.setCustomValidity(wrong);
+      if (wrong) input.reportValidity();
       else writeValue(control, input.value, context);
     },
   });
   const update = () => {
-    if (document.activeElement !== input) input.value = control.read?.(context) ?? "";
+    if (document.activeElement !== input) input.value = readValue(control, context);
   };
   return row(context, control, { body: [input], target: input, update, className: "row-wide" });
 }

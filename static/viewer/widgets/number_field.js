@@ -15,7 +15,7 @@ import { h } from "./dom.js";
  */
 export function numberField({ label, digits = 3, range, write, optional = false }) {
   /** @type {number | null} */
-  let shown = null;
+  let given = null;
   const element = h("input", {
     type: "text",
     inputmode: "decimal",
@@ -30,14 +30,14 @@ export function numberField({ label, digits = 3, range, write, optional = false 
 
   /** @param {number | null} value */
   function show(value) {
-    shown = value;
+    given = value;
     if (document.activeElement !== element || element.value === "") element.value = typed(value, digits);
   }
 
   function take() {
     const value = parsed(element.value);
     if (value === null && !(optional && element.value.trim() === "")) {
-      element.value = typed(shown, digits);
+      element.value = typed(given, digits);
       return;
     }
     const [low, high] = range();

@@ -1,12 +1,12 @@
 import { canReset, dependencies, reset, watch } from "./bind.js";
 import { freshId, h, setAttribute, setText } from "./dom.js";
 
-/** @typedef {import("./bind.js").Context} Context @typedef {import("./bind.js").Control} Control */
+/** @typedef {import("./bind.js").Context} Context @typedef {import("./bind.js").Row} Row */
 
 /**
  * The frame of a control: its switch, its label (double click resets), the widget itself, and why it has no effect.
  *
- * @param {Context} context @param {Control} control
+ * @param {Context} context @param {Row} control
  * @param {{ body: Node[], target: HTMLElement, update?: () => void, className?: string }} widget
  *   `target` is the element that the label names
  */
@@ -40,7 +40,7 @@ export function row(context, control, { body, target, update, className = "" }) 
   return element;
 }
 
-/** The on/off switch before a label. @param {Context} context @param {Control} control */
+/** The on/off switch before a label. @param {Context} context @param {Row} control */
 function toggle(context, control) {
   const path = control.enabled;
   if (!path) return null;
@@ -51,6 +51,6 @@ function toggle(context, control) {
     title: "On or off",
     onchange: () => context.store.setAt(path, box.checked),
   });
-  watch(context, { status: [path] }, () => void (box.checked = context.store.valueAt(path)));
+  watch(context, { status: [path] }, () => void (box.checked = context.store.valueAt(path) === true));
   return box;
 }

@@ -14,10 +14,10 @@ import { slider } from "./slider.js";
  * @property {boolean} [openNarrow] the same where the screen is narrow, if that differs
  * @property {readonly Control[]} controls
  * @property {(context: Context) => string} [digest] what a folded section tells of itself
- * @property {{ status?: string[], facts?: string[] }} [digestOf]
+ * @property {import("./bind.js").Dependencies} [digestOf]
  */
 
-/** @type {Record<string, (context: Context, control: Control) => HTMLElement>} */
+/** @type {{ [Kind in Control["kind"]]: (context: Context, control: Extract<Control, { kind: Kind }>) => HTMLElement }} */
 const WIDGETS = {
   slider,
   choice,
@@ -27,12 +27,13 @@ const WIDGETS = {
   actions,
   text,
   more,
-  custom: (context, control) => /** @type {any} */ (control.render)(context),
+  custom: (context, control) => control.render(context),
 };
 
 /** @param {Context} context @param {Control} control @returns {HTMLElement} */
 export function renderControl(context, control) {
-  const element = WIDGETS[control.kind](context, control);
+  const widget = /** @type {(context: Context, control: Control) => HTMLElement} */ (WIDGETS[control.kind]);
+  const element = widget(context, control);
   return control.more ? folding(context, element, control.more) : element;
 }
 
@@ -113,14 +114,9 @@ export function renderSection(context, section) {
   return element;
 }
 
-/** Controls that stay folded away until asked for. @param {Context} context @param {Control} control */
+/** Controls that stay folded away until asked for. @param {Context} context @param {import("./bind.js").MoreControl} control */
 function more(context, control) {
-  const element = fold(
-    /** @type {string} */ (control.id),
-    false,
-    h("summary", { class: "more-head" }, control.label),
-    "more",
-  );
-  element.append(...(control.items ?? []).map((/** @type {Control} */ item) => renderControl(context, item)));
+  const element = fold(control.id, false, h("summary", { class: "more-head" }, control.label), "more");
+  element.append(...control.items.map((item) => renderControl(context, item)));
   return element;
 }

@@ -6,13 +6,13 @@ import { row } from "./row.js";
 /** @type {import("./bind.js").Range} */
 const UNIT = [0, 1, 0.01];
 
-/** @typedef {import("./bind.js").Context} Context @typedef {import("./bind.js").Control} Control */
+/** @typedef {import("./bind.js").Context} Context @typedef {import("./bind.js").SliderControl} SliderControl */
 
 /**
  * A slider that acts while it is dragged, with its number box; or, where `names` says what the steps are called, the
- * name of the step. `box` gives the number box another unit than the slider: `{read, write, digits, range}`.
+ * name of the step. `box` gives the number box another unit than the slider: `{read, write, range}`.
  *
- * @param {Context} context @param {Control} control
+ * @param {Context} context @param {SliderControl} control
  */
 export function slider(context, control) {
   const id = control.id ?? freshId("slider");
@@ -28,9 +28,9 @@ export function slider(context, control) {
     onkeydown: (/** @type {KeyboardEvent} */ event) => {
       if (event.key === "Backspace" || event.key === "Delete") reset(control, context);
     },
-    onpointerdown: () => control.box?.press?.(context),
-    onpointerup: () => control.box?.release?.(context),
-    onpointercancel: () => control.box?.release?.(context),
+    onpointerdown: () => control.press?.(context),
+    onpointerup: () => control.release?.(context),
+    onpointercancel: () => control.release?.(context),
   });
   const end = control.names ? stepName() : valueBox(context, control, range);
 
@@ -68,7 +68,7 @@ export function slider(context, control) {
   });
 }
 
-/** @param {Context} context @param {Control} control @param {() => readonly [number, number, number]} range */
+/** @param {Context} context @param {SliderControl} control @param {() => readonly [number, number, number]} range */
 function valueBox(context, control, range) {
   const box = control.box ?? {};
   const field = numberField({

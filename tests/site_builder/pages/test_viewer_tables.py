@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import re
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -11,6 +13,7 @@ from hexalab.status import DEFAULTS, check
 from site_builder.pages.viewer_tables import viewer_tables
 
 TABLES = viewer_tables()
+CHOICES = Path(__file__).parents[3] / "static" / "viewer" / "state" / "choices.js"
 
 
 def at(document: dict[str, Any], path: str) -> Any:
@@ -50,3 +53,10 @@ def test_every_word_and_limit_of_the_defaults_is_told() -> None:
     assert {"separation.mode", "colour.by", "colour.map", "lighting.mode"} <= TABLES["choices"].keys()
     assert {"irregular.mode", "histogram.bins", "camera.field_of_view"} <= TABLES["limits"].keys()
     assert "version" not in TABLES["choices"]
+
+
+def test_every_step_of_the_irregular_edges_has_a_name() -> None:
+    steps = re.search(r"IRREGULAR_STEPS = \[(.*?)\];", CHOICES.read_text(), re.DOTALL)
+    assert steps
+    low, high = TABLES["limits"]["irregular.mode"]
+    assert len(re.findall(r'"[^"]+"', steps[1])) == high - low + 1

@@ -18,7 +18,7 @@ const CORE_PATHS = ["filters", "separation.mode", "colour.by", "colour.range", "
 
 /** A core that answers when told, and a scene that keeps what it was given. */
 function parts() {
-  const store = new StatusStore(DEFAULTS);
+  const store = /** @type {StatusStore<any>} */ (new StatusStore(DEFAULTS));
   const facts = new Facts({ timings: {} });
   /** @type {{ changed: any, lean: boolean, answer: (value: any) => void, fail: (error: Error) => void }[]} */
   const calls = [];
@@ -41,6 +41,7 @@ function parts() {
     showPlane: note("plane"),
   };
   const client = {
+    milliseconds: {},
     call: (/** @type {string} */ _, /** @type {() => any[]} */ args) => {
       const [changed, lean] = args();
       return new Promise((answer, fail) => calls.push({ changed, lean, answer, fail }));
@@ -49,11 +50,12 @@ function parts() {
   const messages = new Messages(facts);
   const drawing = new Drawing({
     store,
-    client,
-    scene,
+    client: /** @type {any} */ (client),
+    scene: /** @type {any} */ (scene),
     facts,
     messages,
     tables: /** @type {any} */ ({ core_paths: CORE_PATHS }),
+    root: "",
   });
   drawing.begin();
   drawn.length = 0;

@@ -41,7 +41,11 @@ function client() {
     workers.push(new ManualWorker());
     return /** @type {any} */ (workers.at(-1));
   };
-  return { client: new CoreClient(transport), workers, worker: workers[0] };
+  // The questions and answers of these tests are none that a core knows.
+  const made = /** @type {Omit<CoreClient, "call"> & { call: (...args: any[]) => Promise<any> }} */ (
+    new CoreClient(transport)
+  );
+  return { client: made, workers, worker: workers[0] };
 }
 
 /** @param {Event} event */

@@ -22,7 +22,7 @@ const corePart = ({ filters, separation, silhouette, colour }) => ({
 });
 
 test("what the core was told adds up to its part of the status, whatever was told when", () => {
-  const store = new StatusStore(DEFAULTS);
+  const store = /** @type {StatusStore<any>} */ (new StatusStore(DEFAULTS));
   const settings = new CoreSettings(PATHS);
   let held = settings.changed(store.status);
   assert.deepEqual(held, corePart(DEFAULTS));
@@ -47,7 +47,7 @@ test("what the core was told adds up to its part of the status, whatever was tol
 });
 
 test("P2: lists that did not change are not told again", () => {
-  const store = new StatusStore(DEFAULTS);
+  const store = /** @type {StatusStore<any>} */ (new StatusStore(DEFAULTS));
   const settings = new CoreSettings(PATHS);
   store.set({ filters: { picking: { hidden: Array.from({ length: 100_000 }, (_, cell) => cell) } } });
   assert.equal(settings.changed(store.status).filters.picking.hidden.length, 100_000);

@@ -33,12 +33,12 @@ test("F4: isolate hides all others; digging the isolated cell hides it too", () 
 test("F4: cells by number are read back as they were written", () => {
   const cells = [0, 1, 2, 5, 8, 9];
   assert.equal(formatCells(cells), "0-2, 5, 8-9");
-  assert.deepEqual(parseCells("0-2, 5; 8-9", 10), { cells, problem: "" });
+  assert.deepEqual(parseCells("0-2, 5; 8-9", 10), { cells, wrong: "" });
   assert.deepEqual(parseCells(" 9  8-9 ", 10).cells, [8, 9]);
 });
 
 test("F4: what is no cell is named", () => {
-  assert.match(parseCells("3, x", 10).problem, /“x” is not a cell number/);
-  assert.match(parseCells("3-10", 10).problem, /“3-10”: cells run from 0 to 9/);
-  assert.match(parseCells("-1", 10).problem, /“-1”/);
+  assert.match(parseCells("3, x", 10).wrong, /“x” is not a cell number/);
+  assert.match(parseCells("3-10", 10).wrong, /“3-10”: cells run from 0 to 9/);
+  assert.match(parseCells("-1", 10).wrong, /“-1”/);
 });

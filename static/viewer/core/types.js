@@ -1,0 +1,30 @@
+/**
+ * What may be asked of the core: its methods (hexalab.session), their arguments and answers, whose shapes stand in
+ * `state/answers.js`. The tests hold this map against the door's own list.
+ *
+ * @typedef {object} Methods
+ * @property {{ args: [name: string, data: ArrayBuffer], answer: Summary }} open
+ * @property {{ args: [part?: string], answer: Partial<Description> }} describe
+ * @property {{ args: [document: unknown], answer: Checked }} check
+ * @property {{ args: [changed?: PartialStatus, lean?: boolean], answer: Update }} update
+ * @property {{ args: [quantity: string], answer: Statistics }} quality
+ * @property {{ args: [quantity: string, bins?: number, shown_only?: boolean], answer: Histogram }} histogram
+ * @property {{ args: [], answer: Validity }} validity
+ * @property {{ args: [cell: number], answer: Inspection }} inspect
+ * @property {{ args: [cell: number], answer: CellView }} cell_view
+ * @property {{ args: [face_tag: number], answer: number }} neighbour
+ * @property {{ args: [finding: string], answer: Uint32Array }} finding_cells
+ *
+ * @typedef {import("../state/answers.js").Summary} Summary
+ * @typedef {import("../state/answers.js").Description} Description
+ * @typedef {import("../state/answers.js").Checked} Checked
+ * @typedef {import("../state/answers.js").Update} Update
+ * @typedef {import("../state/answers.js").Statistics} Statistics
+ * @typedef {import("../state/answers.js").Histogram} Histogram
+ * @typedef {import("../state/answers.js").Validity} Validity
+ * @typedef {import("../state/answers.js").Inspection} Inspection
+ * @typedef {import("../state/answers.js").CellView} CellView
+ * @typedef {import("../state/status.js").PartialStatus} PartialStatus
+ */
+
+export {};

@@ -1,0 +1,155 @@
+/**
+ * What the core answers, as it comes through the door (hexalab.session). null stands for what is not known or not
+ * finite. The tests hold these shapes against the answers of a real session.
+ *
+ * @typedef {[number, number, number]} Point
+ *
+ * @typedef {object} Summary  the quick part of what is known of a mesh
+ * @property {string} name
+ * @property {string} format
+ * @property {number} vertices
+ * @property {number} cells
+ * @property {Record<string, number>} kinds number of cells of each
+ * @property {number} boundary_faces
+ * @property {[Point, Point]} extent in the file's unit
+ * @property {Point} centre
+ * @property {number} diagonal
+ * @property {string[]} notes what was noted while it was read
+ * @property {Attribute[]} attributes
+ * @property {{ read: number, topology: number, summary: number }} timings milliseconds
+ *
+ * @typedef {object} Attribute
+ * @property {string} id
+ * @property {string} name
+ * @property {"cell" | "point"} on
+ * @property {number | null} min
+ * @property {number | null} max
+ *
+ * @typedef {object} Description  the slow part, which comes part by part
+ * @property {number} faces
+ * @property {number} boundary_faces
+ * @property {number} nonmanifold_faces
+ * @property {number} edges
+ * @property {Record<string, number>} interior_edge_valence number of edges by valence
+ * @property {Record<string, number>} boundary_edge_valence
+ * @property {number[]} cells_per_depth
+ * @property {number} components
+ * @property {number} max_depth
+ * @property {number} unreferenced_vertices
+ * @property {number} cells_repeating_a_vertex
+ * @property {Finding[]} findings
+ *
+ * @typedef {object} Finding  something that is wrong with a mesh, or worth knowing
+ * @property {string} id
+ * @property {"error" | "warning" | "note"} severity
+ * @property {string} message
+ * @property {number} count
+ * @property {boolean} has_cells whether there are cells to be shown for it
+ *
+ * @typedef {object} Checked  a settings document that was checked
+ * @property {PartialStatus} partial what of it applies
+ * @property {Rejection[]} rejections
+ * @property {"hexalab" | "original"} form
+ *
+ * @typedef {object} Rejection  a value of a settings document that can't be applied
+ * @property {string} path
+ * @property {string} found
+ * @property {string} expected
+ *
+ * @typedef {object} Update  what is drawn otherwise than before: records that did not change are left out
+ * @property {number} shown_cells
+ * @property {number} shown_faces
+ * @property {number | null} max_depth
+ * @property {([number, number] | null)[]} plane_ranges
+ * @property {string[]} pending records that wait for the description
+ * @property {Record<string, number>} timings milliseconds
+ * @property {Surface} [surface]
+ * @property {Silhouette} [silhouette]
+ * @property {Irregular} [irregular]
+ * @property {Colour | null} [colour] null for sides
+ *
+ * @typedef {import("../geometry/records.js").Surface} Surface
+ * @typedef {import("../geometry/records.js").Silhouette} Silhouette
+ * @typedef {import("../geometry/records.js").Irregular} Irregular
+ * @typedef {Irregular["counts"]} IrregularCounts  number of irregular edges, interior and boundary, by valence
+ *
+ * @typedef {object} Colour
+ * @property {Float32Array} map_position of each cell
+ * @property {string} quantity
+ * @property {string} label
+ * @property {number | null} low value at the end of the map
+ * @property {number | null} high
+ *
+ * @typedef {object} Preview  summary and first picture of a mesh of the catalogue, packed when the site is built
+ * @property {BriefSummary} summary
+ * @property {number} shown_cells
+ * @property {number} shown_faces
+ * @property {Surface} surface
+ * @property {Silhouette} silhouette
+ * @property {Colour | null} colour
+ *
+ * @typedef {object} BriefSummary
+ * @property {string} name
+ * @property {number} cells
+ * @property {number} vertices
+ * @property {[Point, Point]} extent
+ * @property {Point} centre
+ * @property {number} diagonal
+ *
+ * @typedef {object} Statistics  of a quantity over the cells
+ * @property {string} id
+ * @property {string} name
+ * @property {string} symbol
+ * @property {number} count
+ * @property {number | null} min
+ * @property {number | null} max
+ * @property {number | null} mean
+ * @property {number | null} median
+ * @property {number | null} variance
+ * @property {Record<string, number | null>} percentiles
+ * @property {number} not_finite
+ * @property {number} outside_acceptable
+ * @property {number[]} worst cells
+ * @property {number | null} low least finite value
+ * @property {number | null} high
+ * @property {Ends | null} acceptable_range
+ * @property {Ends | null} full_range
+ * @property {number | null} worst_value where the normalised quality is 0
+ * @property {number | null} best_value
+ *
+ * @typedef {[number | null, number | null]} Ends  of a range; null: unbounded
+ *
+ * @typedef {object} Histogram
+ * @property {string} quantity
+ * @property {string} label
+ * @property {Float64Array} edges bins + 1 values, rising
+ * @property {Uint32Array} counts
+ * @property {Float32Array} map_position of each bin's middle on the colour map
+ * @property {number} low end of the axis
+ * @property {number} high
+ * @property {number} not_finite
+ *
+ * @typedef {object} Validity  number of cells that are certified to be so
+ * @property {number} invalid
+ * @property {number} valid
+ * @property {number} undecided
+ * @property {Uint32Array} invalid_cells
+ *
+ * @typedef {object} Inspection  everything about a cell
+ * @property {number} cell
+ * @property {string} kind
+ * @property {number[]} corners vertices
+ * @property {Point[]} coordinates of the corners
+ * @property {Record<string, number | null>} metrics those that its kind has
+ * @property {Record<string, unknown>} attributes by name: a value, or a list of components
+ * @property {number[]} neighbours six cells, -1 outside
+ * @property {"invalid" | "valid" | "undecided"} validity
+ *
+ * @typedef {object} CellView
+ * @property {Point} centre in diagonals, from the extent's centre
+ * @property {number} size
+ *
+ * @typedef {import("./status.js").PartialStatus} PartialStatus
+ */
+
+export {};

@@ -1,0 +1,64 @@
+/**
+ * What the words of the settings are called on the screen. Which words there are, and in which order, says the schema.
+ *
+ * @typedef {import("./status.js").Choices} Choices
+ * @typedef {import("./tables.js").Tables} Tables
+ */
+
+/** @type {{ readonly [Path in keyof Choices]: Readonly<Record<Choices[Path], string>> }} */
+const NAMES = {
+  "camera.projection": { perspective: "Perspective", orthographic: "Orthographic" },
+  "filters.planes.rule": { barycentre: "hide by barycentre", any_corner: "hide by any corner" },
+  "separation.mode": {
+    lines: "Lines",
+    darkness_coded_edges: "Darkness-coded edges",
+    fissure: "Fissure",
+    rounded: "Rounded",
+  },
+  "colour.by": {
+    sides: "Outside and inside",
+    quality: "Quality",
+    attribute: "Attribute",
+    kind: "Cell kind",
+  },
+  "colour.map": { parula: "Parula", viridis: "Viridis", jet: "Jet", red_blue: "Red-Blue" },
+  "lighting.mode": {
+    object_space_ao: "AO, best",
+    screen_space_ao: "AO, fast",
+    direct: "Direct",
+    none: "None",
+  },
+  "histogram.orientation": { horizontal: "upright", vertical: "lying" },
+  "histogram.scale": { linear: "linear", log: "logarithmic" },
+};
+
+/** The steps of the irregular edges. */
+export const IRREGULAR_STEPS = [
+  "Off",
+  "Wires",
+  "Wires, through",
+  "Barbed",
+  "Barbed, through",
+  "Paper",
+  "Paper, through",
+];
+
+/**
+ * The words that a setting takes, for a combo box.
+ *
+ *     options: optionsOf("separation.mode")
+ *
+ * @template {keyof Choices} Path @param {Path} path
+ * @returns {(known: { tables: Tables }) => { value: Choices[Path], name: string }[]}
+ */
+export function optionsOf(path) {
+  return ({ tables }) => tables.choices[path].map((value) => ({ value, name: NAMES[path][value] }));
+}
+
+/** Where a setting's slider runs: between the schema's limits. @param {string} path @param {number} step */
+export function rangeOf(path, step) {
+  return (/** @type {{ tables: Tables }} */ { tables }) => {
+    const [low, high] = tables.limits[path];
+    return /** @type {const} */ ([low, high, step]);
+  };
+}

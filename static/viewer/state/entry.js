@@ -1,0 +1,35 @@
+/**
+ * What the catalogue tells of its sources and their meshes, as its machine index has it.
+ *
+ * @typedef {object} CatalogueMesh
+ * @property {string} slug
+ * @property {string} name
+ * @property {number | null} cells
+ * @property {string} url
+ * @property {boolean} remote
+ * @property {number | null} [bytes]
+ * @property {string | null} [sha256]
+ * @property {string} [preview] address of its summary and first picture
+ *
+ * @typedef {object} CatalogueSource  a publication
+ * @property {string} slug
+ * @property {string} title
+ * @property {readonly string[]} authors
+ * @property {number} [year]
+ * @property {string} [venue]
+ * @property {string} [doi]
+ * @property {string} [pdf]
+ * @property {string} [web]
+ * @property {readonly CatalogueMesh[]} meshes
+ *
+ * @typedef {{ source: CatalogueSource, mesh: CatalogueMesh }} Entry
+ *
+ * @typedef {object} Index  where sources and meshes are looked up
+ * @property {readonly CatalogueSource[]} sources
+ * @property {(slug: string) => CatalogueSource | null} source
+ * @property {(source: string, mesh: string) => Entry | null} entry by slugs
+ * @property {(identity: { sha256?: string, name?: string, cells?: number }) => Entry | null} identified
+ * @property {(entry: Entry, step: number) => Entry | null} beside
+ */
+
+export {};

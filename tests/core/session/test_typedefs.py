@@ -1,0 +1,154 @@
+"""The viewer's typedefs of what crosses the door, held against the answers of a real session."""
+
+from __future__ import annotations
+
+import inspect
+import json
+import re
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+
+from hexalab.formats import read_bytes, write_bytes
+from hexalab.packing import unpack
+from hexalab.session import DESCRIBED, Session
+from hexalab.session.door import METHODS, Door
+from hexalab.status import DEFAULTS
+from tests.core.session.typedefs import Shapes, Typedef, parts, typedefs
+
+RECORDS = typedefs("geometry/records.js")
+ANSWERS = typedefs("state/answers.js") | {name: RECORDS[name] for name in RECORDS if name != "MeshFrame"}
+ASKED = typedefs("core/types.js")["Methods"].properties
+OPAQUE = ("PartialStatus", "SeparationMode")
+
+ROW = re.compile(r"\{ args: \[(?P<args>.*)\], answer: (?P<answer>.*) \}")
+
+
+def rows() -> dict[str, re.Match[str]]:
+    """Each method's arguments and answer as the typedef has them."""
+    found = {method: ROW.fullmatch(kind) for method, kind in ASKED.items()}
+    assert all(found.values())
+    return {method: row for method, row in found.items() if row}
+
+
+class Conversation:
+    """A door that is asked as the page asks, its answers unpacked."""
+
+    def __init__(self) -> None:
+        self._door = Door()
+
+    def ask(self, method: str, *arguments: Any, data: bytes | None = None) -> Any:
+        """Ask one question."""
+        blocks = [] if data is None else [data]
+        told = list(arguments) if data is None else [*arguments, {"$bytes": 0}]
+        answer = unpack(self._door.answer(method, json.dumps(told), blocks).joined())
+        assert "error" not in answer, answer
+        return answer["result"]
+
+
+def answers(attributed: bytes, infinite: bytes) -> Iterator[tuple[str, Any]]:
+    """Every method's answers: on a mesh with attributes, and on one with values that are not finite."""
+    core = Conversation()
+    yield "open", core.ask("open", "grid.vtk", data=attributed)
+    yield "update", core.ask("update", {}, False)
+    yield "update", core.ask("update", {"colour": {"by": "quality"}}, True)
+    for part in DESCRIBED:
+        yield "describe", core.ask("describe", part)
+    cut = {"planes": {**DEFAULTS["filters"]["planes"], "items": [{**PLANE, "offset": 0.5}, PLANE]}}
+    yield "update", core.ask("update", {"filters": cut, "separation": {"mode": "rounded"}})
+    for by in ("attribute", "kind", "sides"):
+        yield "update", core.ask("update", {"colour": {"by": by, "attribute": "cell:load"}})
+    yield "check", core.ask("check", {"filters": {"peel": {"depth": -1}}})
+    yield "check", core.ask("check", {"app": {}, "camera": {"offset": 1}})
+    for quantity in ("scaled_jacobian", "volume", "cell:load"):
+        yield "quality", core.ask("quality", quantity)
+        yield "histogram", core.ask("histogram", quantity, 10, True)
+    yield "validity", core.ask("validity")
+    yield "inspect", core.ask("inspect", 0)
+    yield "cell_view", core.ask("cell_view", 0)
+    yield "neighbour", core.ask("neighbour", 0)
+    yield "open", core.ask("open", "infinite.vtk", data=infinite)
+    yield "update", core.ask("update", {"colour": {"by": "attribute", "attribute": "cell:load"}})
+    yield "quality", core.ask("quality", "cell:load")
+    yield "histogram", core.ask("histogram", "cell:load")
+    described = core.ask("describe")
+    yield "describe", described
+    yield "finding_cells", core.ask("finding_cells", described["findings"][0]["id"])
+
+
+PLANE = {"enabled": True, "normal": [1, 0, 0], "offset": 0}
+
+
+@pytest.fixture(scope="module")
+def infinite(attributed: bytes) -> bytes:
+    """The mesh with attributes, of which one has no finite value, and a cell turned inside out."""
+    mesh = read_bytes(attributed, "grid.vtk")
+    corners = mesh.corners.copy()
+    corners[:, 1] = corners[[4, 5, 6, 7, 0, 1, 2, 3], 1]
+    load = np.full(mesh.cell_count, np.inf)
+    return write_bytes(type(mesh)(mesh.coordinates, corners, mesh.kinds, cell_data={"load": load}), "vtk")
+
+
+def test_A1_the_typedefs_name_what_may_be_asked_with_its_arguments() -> None:
+    assert sorted(ASKED) == sorted(METHODS)
+    for method, row in rows().items():
+        parameters = list(inspect.signature(getattr(Session, method)).parameters.values())[1:]
+        told = [argument.split(":")[0] for argument in parts(row["args"], ",")]
+        marks = {inspect.Parameter.empty: ""}
+        assert told == [one.name + marks.get(one.default, "?") for one in parameters], method
+
+
+def test_A1_the_typedefs_of_answers_are_what_a_session_answers(attributed: bytes, infinite: bytes) -> None:
+    shapes = Shapes(ANSWERS, OPAQUE)
+    told = rows()
+    asked = set()
+    for method, answer in answers(attributed, infinite):
+        asked.add(method)
+        kind = told[method]["answer"]
+        if kind == "Partial<Description>":
+            whole = ANSWERS["Description"].properties
+            kind = "Described"
+            shapes.known[kind] = Typedef("object", whole, set(whole))
+        assert shapes.wrong(answer, kind, method) == []
+    preview = Session()
+    preview.open("grid.vtk", attributed)
+    assert shapes.wrong(unpack(preview.preview()), "Preview") == []
+    assert asked == set(METHODS)
+    never = {
+        f"{name}.{one}"
+        for name, found in shapes.known.items()
+        for one in found.properties
+        if (name, one) not in shapes.met and name != "Description"
+    }
+    assert never == set(), "no answer has these"
+    optional = {(name, one) for name, found in ANSWERS.items() for one in found.optional}
+    assert optional <= shapes.missed, "every answer has these: they are not optional"
+
+
+def test_A1_describe_in_one_is_the_whole_description(attributed: bytes) -> None:
+    core = Conversation()
+    core.ask("open", "grid.vtk", data=attributed)
+    assert Shapes(ANSWERS).wrong(core.ask("describe"), "Description") == []
+
+
+@pytest.mark.parametrize(
+    ("value", "kind", "expected"),
+    [
+        (None, "number | null", True),
+        (1.5, "number", True),
+        (True, "number", False),
+        ([1, 2], "[number, number]", True),
+        ([1, 2, 3], "[number, number]", False),
+        ([[1, None], None], "([number, number | null] | null)[]", True),
+        ({"a": "b"}, "Record<string, number>", False),
+        ("inside", '"inside" | "outside"', True),
+        ("beside", '"inside" | "outside"', False),
+        (np.zeros(1, np.float32), "Float32Array", True),
+        (np.zeros(1), "Float32Array", False),
+        ({"a": 1}, "{ a: number, b: number }", False),
+    ],
+)
+def test_the_reader_of_types_tells_right_from_wrong(value: Any, kind: str, expected: bool) -> None:
+    assert (Shapes({}).wrong(value, kind) == []) is expected
