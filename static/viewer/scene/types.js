@@ -2,23 +2,12 @@
  * The shapes of what the scene is given. Lengths are in diagonals of the mesh, whose extent's centre is the origin.
  *
  * @typedef {import("../state/vectors.js").Vector} Vector
+ * @typedef {import("../state/status.js").Status} Status
+ * @typedef {Status["camera"]} CameraStatus
  *
- * @typedef {import("../state/status.js").Status["camera"]} CameraStatus
+ * What the scene draws by: a whole status, or any of its settings with the camera whole.
  *
- * @typedef {object} ColourStatus
- * @property {"sides" | "quality" | "attribute" | "kind"} by
- * @property {string} outside
- * @property {string} inside
- * @property {string} map
- *
- * @typedef {object} SceneStatus the part of the status document that the scene draws
- * @property {CameraStatus} [camera]
- * @property {{ line_opacity?: number, line_width?: number }} [separation]
- * @property {Partial<ColourStatus>} [colour]
- * @property {number} [silhouette]
- * @property {{ mode?: number, boundary?: boolean }} [irregular]
- * @property {{ mode?: import("../lighting/lighting.js").LightingMode }} [lighting]
- * @property {string} [background]
+ * @typedef {import("../state/status.js").PartialStatus & { camera?: CameraStatus }} SceneStatus
  *
  * @typedef {object} Plane
  * @property {Vector} normal

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 
 from hexalab.quality import METRICS, quality
-from tests.core.quality.verdict import CUBE, mesh_of
+from tests.core.quality.verdict import CUBE, NAMES, mesh_of
+
+OF_A_BOX: dict[str, Callable[[float, float, float], float]] = {}
+"""Metrics that Verdict has not got, by what they are of a box with sides a, b and c."""
 
 
 def value(corners: np.ndarray, metric: str) -> float:
@@ -34,6 +39,15 @@ def test_Q1_box() -> None:
     assert value(box, "dimension") == pytest.approx(a * b * c / np.sqrt(2 * gradients))
     for metric in ("scaled_jacobian", "shear", "diagonal", "distortion", "nodal_jacobian_ratio"):
         assert value(box, metric) == pytest.approx(1)
+
+
+def test_Q1_every_metric_has_a_truth_outside() -> None:
+    """Verdict's, or a formula that follows on paper."""
+    assert NAMES.keys() | OF_A_BOX.keys() == METRICS.keys()
+    assert not NAMES.keys() & OF_A_BOX.keys()
+    for metric, formula in OF_A_BOX.items():
+        for sides in ((1.0, 2.0, 5.0), (3.0, 0.5, 0.5)):
+            assert value(CUBE * sides, metric) == pytest.approx(formula(*sides))
 
 
 @pytest.mark.parametrize("slant", [0.25, 1.0, 3.0])

@@ -9,11 +9,12 @@ from hexalab.cells import HEXAHEDRON, KINDS, PYRAMID, TETRAHEDRON, WEDGE
 from hexalab.mesh import Mesh
 from hexalab.quality import METRICS, quality, quality_many
 from tests.core.quality.verdict import CUBE, IDEAL, assert_equal, mesh_of, of_corners, samples
+from tests.core.quality.verdict import NAMES as VERDICTS
 
 CASES = [
     (kind, metric)
     for kind in (TETRAHEDRON, PYRAMID, WEDGE)
-    for metric in METRICS
+    for metric in VERDICTS
     if kind in METRICS[metric].kinds
 ]
 NAMES = [f"{KINDS[kind]}-{metric}" for kind, metric in CASES]

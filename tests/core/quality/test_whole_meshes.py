@@ -7,6 +7,7 @@ import pytest
 
 from hexalab.formats import read
 from hexalab.quality import METRICS, certify, quality_many
+from tests.core.quality.verdict import NAMES
 from tests.whole_meshes import HEXAHEDRAL, WholeMesh
 
 NOISE = {"oddy": 1e-12, "skew": 1e-13, "taper": 1e-13, "equiangle_skew": 1e-12}
@@ -22,7 +23,7 @@ REPEATING = ("2021-at-most-hexa", "structures/collapsed", "faults/repeated-verte
 @pytest.mark.parametrize("whole", HEXAHEDRAL, ids=str)
 def test_Q1_whole_meshes_equal_verdict(whole: WholeMesh) -> None:
     repeating = whole.facts()["cells_repeating_a_vertex"]
-    for metric, values in quality_many(read(whole.file())).items():
+    for metric, values in quality_many(read(whole.file()), NAMES).items():
         if (whole.name, metric) in UNDECIDED:
             continue
         told = whole.verdict()[metric]

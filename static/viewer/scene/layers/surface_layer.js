@@ -137,7 +137,7 @@ export class SurfaceLayer {
     this.uniforms.occlusion.value = texture ?? this.#open;
   }
 
-  /** @param {Partial<import("../types.js").ColourStatus>} colour */
+  /** @param {NonNullable<import("../types.js").SceneStatus["colour"]>} colour */
   setColour(colour) {
     this.uniforms.byCell.value = colour.by !== undefined && colour.by !== "sides";
     this.uniforms.paletteScale.value = colour.by === "kind" ? 1 : 255;
