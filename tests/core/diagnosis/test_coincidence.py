@@ -25,3 +25,20 @@ def test_R9_vertices_level_along_two_directions_are_not_at_one_place() -> None:
         assert coincident_vertices(Mesh.from_cells(points, cells)).tolist() == []
         points[40] = points[13]
         assert coincident_vertices(Mesh.from_cells(points, cells)).tolist() == [13, 40]
+
+
+def test_R9_vertices_of_different_groups_are_not_joined_by_the_next_direction() -> None:
+    """A and B are level along the first direction, C and D too; B and C along the second and the third.
+
+    Sorted along the second within the two groups, B and C are neighbours, and level.
+    """
+    first, second, third = np.array(DIRECTIONS)
+    b = np.array([1.0, 1.0, 1.0])
+    c = b + 2 * np.cross(second, third) * np.sign(np.cross(second, third) @ first)
+    aside = np.cross(first, third)
+    aside *= np.sign(aside @ second)
+    one, other = box(1, 1, 1), box(1, 1, 1)
+    points = np.concatenate([one.points, other.points + np.array([9, 5, 3])])
+    points[[0, 7, 8, 15]] = b - aside, b, c, c + aside
+    mesh = Mesh.from_cells(points, np.concatenate([one.cells, other.cells + 8]))
+    assert coincident_vertices(mesh).tolist() == []

@@ -1,0 +1,49 @@
+"""Values that stand on a bound: which option, which word, which bar they belong to."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import pytest
+
+from site_builder.model.facts import Facts
+from site_builder.pages.facets import FACETS
+from site_builder.pages.histogram import draw
+from site_builder.pages.words import number, structure_word
+
+
+def test_C2_a_bar_is_bad_only_if_all_its_values_are_zero_or_less() -> None:
+    """Eight bins from -1 to 1; of the Scaled Jacobian those that end at 0 hold nothing positive."""
+    bars = draw({"low": -1, "high": 1, "counts": [1] * 8}).bars
+    assert [bar.bad for bar in bars] == [True] * 4 + [False] * 4
+    assert bars[3].title.startswith("−0.250 to 0.000") and bars[4].title.startswith("0.000 to 0.250")
+    bars = draw({"low": -1, "high": 1, "counts": [1] * 5}).bars
+    assert [bar.bad for bar in bars] == [True, True, False, False, False], "the third straddles 0"
+
+
+@pytest.mark.parametrize(
+    ("facet", "values"),
+    [
+        ("cells", {999: "s", 1000: "m", 9999: "m", 10_000: "l", 99_999: "l", 100_000: "xl", None: "unknown"}),
+        ("jacobian", {0.6: "high", 0.5: "middle", 0.2: "low", 0.0: "negative", -1.0: "negative"}),
+        ("year", {2015: "2015", 2016: "2018", 2018: "2018", 2019: "2021", 2021: "2021", 2022: "now"}),
+    ],
+)
+def test_C1_each_bound_belongs_to_the_option_that_its_label_says(facet: str, values: dict) -> None:
+    row = next(row for row in FACETS if row.id == facet)
+    for value, option in values.items():
+        facts, source = SimpleNamespace(sj_min=value), SimpleNamespace(year=value)
+        mesh = SimpleNamespace(cells=value, facts=facts, source=source)
+        assert row.options[row.choose(mesh)][0] == option, value
+
+
+def test_C2_words_at_their_bounds() -> None:
+    assert [number(value) for value in (999_999, 1e6, 0.0005, 0.00049)] == [
+        "999,999",
+        "1.000e6",
+        "0.001",
+        "4.900e−4",
+    ]
+    for irregular, word in ((0, "regular"), (49, "semi-structured"), (50, "unstructured")):
+        facts = Facts(interior_edge_valence={4: 1000 - irregular, 5: irregular})
+        assert structure_word(facts) == word
