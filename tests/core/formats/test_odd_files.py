@@ -10,9 +10,9 @@ import pytest
 from hexalab.cells import TETRAHEDRON
 from hexalab.errors import MeshReadError
 from hexalab.formats import container
+from hexalab.formats.file import File
 from hexalab.formats.half_faces import rebuilt
 from hexalab.formats.ids import Numbering
-from hexalab.formats.source import Source
 from hexalab.formats.text import Text
 
 
@@ -28,7 +28,7 @@ def test_R3_of_a_number_that_occurs_twice_the_first_entry_counts() -> None:
 
 @pytest.mark.parametrize("end", [b"\n", b"\r\n", b"\r"])
 def test_R3_a_comment_ends_with_its_line_whatever_ends_the_line(end: bytes) -> None:
-    text = Text(Source(b"1 # one 7" + end + b"2 #" + end + b"3", "x.mesh"), comment=b"#")
+    text = Text(File(b"1 # one 7" + end + b"2 #" + end + b"3", "x.mesh"), comment=b"#")
     assert text.numbers(3, np.float64, "numbers").tolist() == [1, 2, 3]
 
 
@@ -38,7 +38,7 @@ def test_R6_a_gzip_stream_may_reach_its_bound_and_not_pass_it(
 ) -> None:
     monkeypatch.setattr(container, "ALWAYS_FINE", 10_000)
     monkeypatch.setattr(container, "RATIO", 1)
-    source = Source(gzip.compress(b"x" * size), "x.mesh")
+    source = File(gzip.compress(b"x" * size), "x.mesh")
     if fine:
         assert len(container.inflated(source)) == size
     else:
