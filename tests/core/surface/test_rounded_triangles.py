@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from hexalab.cells import FACES
-from hexalab.surface import Drawing, extract_surface
+from hexalab.surface import DrawnMesh, extract_surface
 from tests.core.surface.checks import points_of, rings_of
 from tests.core.surface.shapes import split_grid
 
@@ -20,7 +20,7 @@ def test_V1_the_flat_side_of_a_triangle_never_turns_inside_out(
     mesh = split_grid(kind, 2, 0.1)
     shown = np.zeros(mesh.cell_count, bool)
     shown[3] = True
-    surface = extract_surface(Drawing(mesh), shown, "rounded", radius=radius)
+    surface = extract_surface(DrawnMesh(mesh), shown, "rounded", radius=radius)
     drawn = points_of(surface)[rings_of(surface)]
 
     points = (mesh.points - mesh.centre) / mesh.diagonal
