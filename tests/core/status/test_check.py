@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from copy import deepcopy
-from functools import cache
 from typing import Any
 
 import pytest
@@ -13,10 +12,8 @@ from hypothesis import strategies as st
 
 from hexalab import HexaLabError, status
 from hexalab.status.schema import Schema
+from tests.core.status.validator import jsonschema, validator
 from tests.counting import lines_of_core
-from tests.tools import tool
-
-jsonschema = tool("jsonschema")
 
 KNOWN_KEYWORDS = {
     "$schema", "title", "description", "type", "properties", "additionalProperties", "required", "default",
@@ -26,11 +23,6 @@ KNOWN_KEYWORDS = {
 
 
 REQUIRED = {"planes": {"normal": [0, 0, 1]}, "quality": {"quantity": "volume"}}
-
-
-@cache
-def validator() -> Any:
-    return jsonschema.Draft202012Validator(status.SCHEMA)
 
 
 def subschemas(schema: Schema, path: tuple[Any, ...] = ()) -> list[tuple[tuple[Any, ...], Schema]]:

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-import jsonschema
 import pytest
 
 from hexalab import status
-
-VALIDATOR = jsonschema.Draft202012Validator(status.SCHEMA)
+from tests.core.status.validator import validator
 
 
 @pytest.mark.parametrize(
@@ -24,7 +22,7 @@ VALIDATOR = jsonschema.Draft202012Validator(status.SCHEMA)
     ],
 )
 def test_S1_true_is_not_one(document: dict[str, Any], right: bool) -> None:
-    assert VALIDATOR.is_valid(document) == right
+    assert validator().is_valid(document) == right
     clean, problems = status.check(document)
     assert bool(problems) != right
     assert (clean == document) == right

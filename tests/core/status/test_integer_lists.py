@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-import jsonschema
 import pytest
 
 from hexalab import status
-
-VALIDATOR = jsonschema.Draft202012Validator(status.SCHEMA)
+from tests.core.status.validator import validator
 
 
 @pytest.mark.parametrize("name", ["hidden", "shown"])
@@ -27,7 +25,7 @@ def test_S1_a_negative_cell_among_whole_numbers_is_left_out(
     name: str, cells: list[int], kept: list[int], wrong: list[int]
 ) -> None:
     document: dict[str, Any] = {"filters": {"picking": {name: cells}}}
-    assert VALIDATOR.is_valid(document) == (not wrong)
+    assert validator().is_valid(document) == (not wrong)
     clean, problems = status.check(document)
     assert clean["filters"]["picking"][name] == kept
     assert [problem.path for problem in problems] == [f"filters.picking.{name}[{place}]" for place in wrong]
