@@ -98,8 +98,8 @@ def _valences(key: str, value: Any) -> Any:
 
 
 def _validity(mesh: hexalab.Mesh) -> Validity:
-    invalid, valid, undecided = (int(count) for count in np.bincount(certify(mesh).state, minlength=3))
-    return {"invalid": invalid, "valid": valid, "undecided": undecided}
+    counts = certify(mesh).counts
+    return {"invalid": counts["invalid"], "valid": counts["valid"], "undecided": counts["undecided"]}
 
 
 def _histogram(values: Floats) -> Binned | None:

@@ -53,8 +53,8 @@ def assemble(out: Path, cache: Path | None = None) -> RuntimeReport:
     wheel = core_wheel(ROOT / "core" / "hexalab", version)
     modules = ROOT / "node_modules"
     pins = ROOT / "requirements-pyodide.txt"
-    sources = [*Path(__file__).parent.glob("*.*"), modules / "pyodide" / "package.json", pins]
-    key = _hash([wheel[1], *_contents(sources)])
+    made_by = [*Path(__file__).parent.glob("*.*"), modules / "pyodide" / "package.json", pins]
+    key = _hash([wheel[1], *_contents(made_by)])
     interpreter = cache / f"runtime-{key}"
     if not (interpreter / "pyodide-lock.json").is_file():
         _forget(cache, "runtime-*")

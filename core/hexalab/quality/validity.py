@@ -78,6 +78,10 @@ PIECES = 128
 """Open pieces of one cell before it is left undecided: its determinant vanishes along a surface or nearly."""
 
 
+STATES = ("invalid", "valid", "undecided")
+"""Words for the states of a cell; `Validity.state` holds indices into it."""
+
+
 @dataclass(frozen=True)
 class Validity:
     """What is known of each cell.
@@ -97,8 +101,8 @@ class Validity:
     @property
     def counts(self) -> dict[str, int]:
         """Number of cells in each state."""
-        found = np.bincount(self.state, minlength=3)
-        return {name: int(found[i]) for i, name in enumerate(("invalid", "valid", "undecided"))}
+        found = np.bincount(self.state, minlength=len(STATES))
+        return {name: int(count) for name, count in zip(STATES, found, strict=True)}
 
 
 def certify(mesh: Mesh, depth: int = DEPTH) -> Validity:

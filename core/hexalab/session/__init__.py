@@ -198,10 +198,8 @@ class Session:
 
     def validity(self) -> Result:
         """Return how many cells are certified valid, invalid or undecided, and which are invalid."""
-        state = self._open_mesh().validity.state
-        counts = np.bincount(state, minlength=len(inspection.STATES))
-        told = {name: int(number) for name, number in zip(inspection.STATES, counts, strict=True)}
-        return {**told, "invalid_cells": np.flatnonzero(state == 0).astype(np.uint32)}
+        found = self._open_mesh().validity
+        return {**found.counts, "invalid_cells": np.flatnonzero(found.state == 0).astype(np.uint32)}
 
     # -- cells
 

@@ -13,9 +13,9 @@ from ..cells import CORNERS_OF_KIND, KINDS
 from ..diagnosis import Finding
 from ..mesh import Mesh
 from ..quality import METRICS, certify, quality_many
+from ..quality.validity import STATES
 from .opened import Opened
 
-STATES = ("invalid", "valid", "undecided")
 RELATIVE = {"shape_and_size": "shape", "shear_and_size": "shear"}
 """Metrics that are the product of another and `relative_size_squared`, which depends on the whole mesh."""
 

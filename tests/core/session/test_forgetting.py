@@ -14,7 +14,7 @@ def test_P7_the_values_that_were_not_asked_for_for_longest_are_forgotten(
     mesh = box(3, 2, 1)
     opened = Opened(mesh)
     monkeypatch.setattr("hexalab.session.opened.MOST_BYTES_OF_VALUES", 3 * 8 * mesh.cell_count)
-    skew, taper, volume = (opened.values(source) for source in ("skew", "taper", "volume"))
+    skew, taper, volume = (opened.values(quantity) for quantity in ("skew", "taper", "volume"))
     assert opened.values("skew") is skew, "the oldest is used once more"
     shape = opened.values("shape")
     assert opened.values("volume") is volume
