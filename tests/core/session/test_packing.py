@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import gc
 import json
 import struct
+import weakref
 
 import numpy as np
 import pytest
 
 from hexalab.errors import HexaLabError
-from hexalab.packing import jsonable, pack, unpack
+from hexalab.packing import jsonable, lay_out, pack, unpack
 
 VALUE = {
     "name": "cube ∎",
@@ -78,3 +80,17 @@ HEADERS += [
 def test_O2_bytes_of_another_form_are_refused(data: bytes) -> None:
     with pytest.raises(HexaLabError, match="packed data"):
         unpack(data)
+
+
+def test_P7_nothing_holds_the_arrays_when_the_answer_is_gone() -> None:
+    """A circle of references would keep the arrays of every slice until Python looks for circles."""
+    array = np.arange(5.0)
+    gone = weakref.ref(array)
+    gc.disable()
+    try:
+        packed = lay_out({"result": {"deep": [{"surface": array}]}})
+        assert np.shares_memory(packed.arrays[0][1], array), "laid out, not copied"
+        del packed, array
+        assert gone() is None
+    finally:
+        gc.enable()
