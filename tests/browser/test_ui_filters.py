@@ -229,3 +229,11 @@ def test_F_each_filter_has_a_switch(mesh: Page) -> None:
     assert ui.drawn(mesh)[0] == CELLS > peeled
     switch.check()
     assert ui.drawn(mesh)[0] == peeled
+
+
+def test_F_the_switch_of_an_idle_row_can_be_clicked(mesh: Page) -> None:
+    switch = mesh.get_by_label("Regularise on")
+    switch.click(timeout=3000)
+    ui.until(lambda: not ui.status(mesh)["filters"]["regularisation"]["enabled"])
+    switch.click(timeout=3000)
+    ui.until(lambda: ui.status(mesh)["filters"]["regularisation"]["enabled"])

@@ -1,6 +1,7 @@
 import { Superseded } from "../core/client.js";
 import { download } from "../files/download.js";
 import { unpack } from "../files/packing.js";
+import { NEW_MESH } from "../state/facts.js";
 import { count } from "../state/numbers.js";
 
 /**
@@ -134,21 +135,8 @@ export class Opening {
     );
     store.forget();
     scene.setMesh(summary);
-    facts.set({
-      summary,
-      entry: origin.entry ?? null,
-      source: origin.entry?.source ?? null,
-      description: null,
-      statistics: {},
-      histogram: null,
-      irregular: null,
-      shown: null,
-      colour: null,
-      layers: null,
-      cell: null,
-      plane: 0,
-      tool: "turn",
-    });
+    const entry = origin.entry ?? null;
+    facts.set({ ...NEW_MESH, summary, entry, source: entry?.source ?? null });
   }
 
   /** @param {Origin} origin @param {Summary} summary */

@@ -44,30 +44,37 @@
  * @property {import("./quality_filter.js").Keep | null} keep chosen while the quality filter hides nothing yet
  */
 
+/** What is known of a mesh before anything is, and the tool at hand: another mesh starts with these. */
+export const NEW_MESH = Object.freeze(
+  /** @type {Pick<FactTable, "tool" | "source" | "entry" | "summary" | "description" | "statistics" | "histogram" | "irregular" | "shown" | "colour" | "layers" | "cell" | "hover" | "plane" | "planeRanges">} */ ({
+    tool: "turn",
+    source: null,
+    entry: null,
+    summary: null,
+    description: null,
+    statistics: {},
+    histogram: null,
+    irregular: null,
+    shown: null,
+    colour: null,
+    layers: null,
+    cell: null,
+    hover: null,
+    plane: 0,
+    planeRanges: [],
+  }),
+);
+
 /** What is known before anything is. @type {FactTable} */
 const NOTHING = {
+  ...NEW_MESH,
   core: "starting",
-  tool: "turn",
   messages: [],
   progress: null,
   timings: {},
   archive: null,
   catalogue: null,
-  source: null,
-  entry: null,
-  summary: null,
-  description: null,
-  statistics: {},
-  histogram: null,
-  irregular: null,
-  shown: null,
-  colour: null,
-  layers: null,
-  cell: null,
-  hover: null,
-  plane: 0,
   planeShown: false,
-  planeRanges: [],
   keep: null,
 };
 
