@@ -34,6 +34,9 @@ class Mesh:
         Id of the format it was read from, a row of `hexalab.formats.FORMATS`; "" if made by hand.
     notes : list of str
         What reading had to assume or leave out, one sentence each.
+    vertex_numbers, cell_numbers : (V,), (C,) int64 or None
+        The file's own numbers of nodes and elements, in any order and with gaps; None where it has none, or where
+        they are just the rows counted on.
     """
 
     coordinates: Floats
@@ -44,6 +47,8 @@ class Mesh:
     name: str = ""
     format: str = ""
     notes: list[str] = field(default_factory=list)
+    vertex_numbers: NDArray[np.int64] | None = None
+    cell_numbers: NDArray[np.int64] | None = None
 
     def __post_init__(self) -> None:
         self.coordinates = np.ascontiguousarray(self.coordinates, dtype=np.float64)

@@ -166,6 +166,7 @@ class Reader:
                 self.add(size, tags, nodes, begin, numbering, first)
             first += numbering.count
         self.out.coordinates = np.concatenate([points for part in parts for points in part.points], axis=1)
+        self.out.vertex_numbers = np.concatenate([tags for part in parts for tags in part.tags])
 
     def add(self, size: int, tags: Array, nodes: Array, begin: int, numbering: Numbering, first: int) -> None:
         """Add a block of elements."""
@@ -183,7 +184,7 @@ class Reader:
             )
         if size > own:
             self.out.note(f"Cells of higher order (elements of {size} nodes) are shown by their corners.")
-        self.out.blocks.append(CellBlock(kind, corners + np.int32(first), self.locate))
+        self.out.blocks.append(CellBlock(kind, corners + np.int32(first), self.locate, numbers=tags))
 
     def locate(self, message: str, _cell: int, _corner: int) -> MeshReadError:
         """An error without a line; nodes that are missing have been found in `add`, with theirs."""

@@ -36,6 +36,8 @@ class CellBlock:
         What the file counts vertices from, for messages.
     cells : (n,) ids, optional
         Their places in the mesh's order of cells, where blocks interleave; default: after the blocks before.
+    numbers : (n,) integers, optional
+        The file's own numbers of the cells.
     """
 
     kind: int
@@ -43,6 +45,7 @@ class CellBlock:
     locate: Callable[[str, int, int], MeshReadError]
     base: int = 0
     cells: Array | None = None
+    numbers: Array | None = None
 
 
 @dataclass
@@ -60,6 +63,7 @@ class Assembly:
     file: File
     format_id: str
     coordinates: Floats | None = None
+    vertex_numbers: Array | None = None
     blocks: list[CellBlock] = field(default_factory=list)
     point_data: dict[str, Array] = field(default_factory=dict)
     cell_data: dict[str, Array] = field(default_factory=dict)
@@ -116,6 +120,8 @@ class Assembly:
             name=self.file.name,
             format=self.format_id,
             notes=self.notes,
+            vertex_numbers=own_numbers(self.vertex_numbers),
+            cell_numbers=own_numbers(joined_numbers(blocks)),
         )
 
     def nothing_to_show(self) -> str:
@@ -169,6 +175,28 @@ def joined(blocks: list[CellBlock]) -> tuple[Ids, NDArray[np.uint8]]:
         for place, own in enumerate(COLLAPSE[block.kind]):
             out[place, part] = block.corners[own]
     return out, kinds
+
+
+def joined_numbers(blocks: list[CellBlock]) -> Array | None:
+    """(C,) the file's own numbers of all cells, or None if a block has none."""
+    numbers = [block.numbers for block in blocks if block.numbers is not None]
+    if len(numbers) < len(blocks):
+        return None
+    if all(block.cells is None for block in blocks):
+        return np.concatenate(numbers)
+    out = np.empty(sum(map(len, numbers)), dtype=np.int64)
+    start = 0
+    for block, own in zip(blocks, numbers, strict=True):
+        out[slice(start, start + len(own)) if block.cells is None else block.cells] = own
+        start += len(own)
+    return out
+
+
+def own_numbers(numbers: Array | None) -> NDArray[np.int64] | None:
+    """The numbers if they say more than the rows, counted from 1, do; else None."""
+    if numbers is None or (numbers == np.arange(1, len(numbers) + 1)).all():
+        return None
+    return numbers.astype(np.int64)
 
 
 def fitting(arrays: Mapping[str, Array], count: int) -> dict[str, Array]:

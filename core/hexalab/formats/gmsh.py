@@ -60,6 +60,7 @@ class Reader:
         if self.nodes is None:
             raise self.numbers.error("the file has no section $Nodes")
         self.out.coordinates = self.nodes.coordinates
+        self.out.vertex_numbers = self.nodes.tags
         self.cells(Numbering(self.nodes.tags))
         return self.out.mesh()
 
@@ -117,7 +118,7 @@ class Reader:
             self.check(part, corners)
             where = place[start : start + len(part.tags)]
             start += len(part.tags)
-            self.out.blocks.append(CellBlock(part.kind, corners, self.locate, cells=where))
+            self.out.blocks.append(CellBlock(part.kind, corners, self.locate, cells=where, numbers=part.tags))
         order = np.argsort(place)
         tags = np.concatenate([part.tags for part in parts])[order]
         for name, owners in (
