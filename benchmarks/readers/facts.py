@@ -47,9 +47,10 @@ def measured(reading: Reading) -> dict[str, Any]:
     if len(places):
         facts["box"] = [*places.min(axis=0).tolist(), *places.max(axis=0).tolist()]
         facts["corner sum"] = places.sum(axis=0).tolist()
-        facts["volume"] = sum(
-            float(_verdict(reading.points, rows, kind, "Volume").sum()) for kind, rows in corners.items()
+        volumes = np.concatenate(
+            [_verdict(reading.points, rows, kind, "Volume") for kind, rows in corners.items()]
         )
+        facts["volume"], facts["size"] = float(volumes.sum()), float(np.abs(volumes).sum())
         jacobians = np.concatenate(
             [_verdict(reading.points, rows, kind, "ScaledJacobian") for kind, rows in corners.items()]
         )

@@ -120,7 +120,7 @@ def by_meshio(path: Path) -> Reading:
             mesh = meshio.read(path)
     except SystemExit:
         raise NotRead(said.getvalue().strip()[:200]) from None
-    raw_wedge = path.suffix.lower() in (".vtk", ".vtu")
+    of_vtk = path.suffix.lower() in (".vtk", ".vtu")
     corners: dict[str, list[Array]] = {kind: [] for kind in CORNERS}
     kept = []
     for place, block in enumerate(mesh.cells):
@@ -128,7 +128,10 @@ def by_meshio(path: Path) -> Reading:
         if kind is None:
             continue
         rows = np.asarray(block.data)[:, : CORNERS[kind]]
-        corners[kind].append(rows if kind != "wedge" or raw_wedge else rows[:, OTHER_WEDGE])
+        turned = kind == "wedge" and (
+            block.type == "wedge" or not of_vtk
+        )  # it turns VTK's linear wedges itself
+        corners[kind].append(rows[:, OTHER_WEDGE] if turned else rows)
         kept.append(place)
     points = np.asarray(mesh.points, dtype=float)
     if points.shape[1] < 3:
@@ -161,12 +164,13 @@ def by_gmsh(path: Path) -> Reading:
         gmsh.option.setNumber("General.Terminal", 0)
         gmsh.option.setNumber("General.AbortOnError", 2)
         gmsh.merge(str(path))
-        return _from_gmsh()
+        return _from_gmsh(raw_wedges=path.suffix.lower() == ".vtk")
     finally:
         gmsh.finalize()
 
 
-def _from_gmsh() -> Reading:
+def _from_gmsh(raw_wedges: bool) -> Reading:
+    """What is open there; VTK's wedges it takes as they come, though its own are the other way round."""
     tags, coordinates, _ = gmsh.model.mesh.getNodes()
     if not len(tags):
         raise NotRead("no nodes")
@@ -178,7 +182,7 @@ def _from_gmsh() -> Reading:
         if kind not in CORNERS:
             continue
         rows = order[np.searchsorted(tags[order], nodes)].reshape(-1, size)[:, : CORNERS[kind]]
-        corners[kind].append(rows[:, OTHER_WEDGE] if kind == "wedge" else rows)
+        corners[kind].append(rows[:, OTHER_WEDGE] if kind == "wedge" and not raw_wedges else rows)
     return Reading(
         coordinates.reshape(-1, 3), {kind: np.concatenate(rows) for kind, rows in corners.items() if rows}
     )

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 Answer = dict[str, Any]
-"""Either the facts, or `{"refused": words}`."""
+"""Either the facts, or `{"refused": words, "told": whether that is an error meant for the user}`."""
 
 
 def serve(program: str, channel: Connection) -> None:
@@ -17,6 +17,8 @@ def serve(program: str, channel: Connection) -> None:
     nowhere = os.open(os.devnull, os.O_WRONLY)
     os.dup2(nowhere, 1)
     os.dup2(nowhere, 2)
+    from hexalab.errors import HexaLabError
+
     from .facts import measured
     from .programs import read
 
@@ -25,7 +27,8 @@ def serve(program: str, channel: Connection) -> None:
         try:
             answer = measured(read(program, Path(path)))
         except BaseException as error:  # whatever a program raises is its answer
-            answer = {"refused": f"{type(error).__name__}: {error}".replace("\n", " ")[:300]}
+            words = f"{type(error).__name__}: {error}".replace("\n", " ")[:300]
+            answer = {"refused": words, "told": isinstance(error, HexaLabError)}
         channel.send(answer)
 
 
@@ -67,7 +70,7 @@ class Worker:
             words = "the process died"
         self.stop()
         self.start()
-        return {"refused": words}
+        return {"refused": words, "told": False}
 
     def stop(self) -> None:
         """End the process."""

@@ -39,7 +39,7 @@ def test_equal_readings_are_counted_and_a_file_that_none_reads_is_no_difference(
 
 def test_another_volume_orientation_or_array_is_told() -> None:
     ours = {
-        "cells": {"hexahedron": 1}, "box": [0, 0, 0, 1, 1, 1], "corner sum": [4, 4, 4], "volume": -1.0,
+        "cells": {"hexahedron": 1}, "box": [0, 0, 0, 1, 1, 1], "corner sum": [4, 4, 4], "volume": -1.0, "size": 1.0,
         "SJ": [-1.0, -1.0], "cell arrays": {"q": [1, 0, 2.0, 2.0, 2.0]}, "point arrays": {},
     }  # fmt: skip
     theirs = ours | {"volume": 1.0, "SJ": [1.0, 1.0], "cell arrays": {"q": [1, 0, 3.0, 3.0, 3.0]}}
@@ -55,7 +55,7 @@ def test_a_process_that_dies_is_an_answer_and_the_next_file_is_read(tmp_path: Pa
     worker = Worker("hexalab", 60)
     os.kill(worker.process.pid or 0, signal.SIGKILL)
     worker.process.join()
-    assert worker.answer() == {"refused": "the process died"}
+    assert worker.answer() == {"refused": "the process died", "told": False}
     worker.ask(tmp_path / "cube.mesh")
     assert worker.answer()["cells"] == {"hexahedron": 1}
     worker.stop()
