@@ -7,16 +7,23 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from .arrays import CHUNK, Array, Floats, Ids
 from .cells import CORNERS_OF_KIND, HEXAHEDRON, KINDS
 from .topology import Topology
 
+GEOMETRY = frozenset(("coordinates", "corners", "kinds"))
+"""The fields that everything computed of a mesh depends on."""
 
-@dataclass
+
+@dataclass(eq=False)
 class Mesh:
     """A volumetric mesh of hexahedra and cells that collapse from them.
+
+    What is computed of it is kept, so coordinates, corners and kinds stay as they are: its arrays are read-only views,
+    and another mesh is made of this one by ``dataclasses.replace(mesh, coordinates=...)``. An array that was handed
+    over is not copied where it has the right type already: who goes on writing into it copies it first.
 
     Parameters
     ----------
@@ -37,6 +44,15 @@ class Mesh:
     vertex_numbers, cell_numbers : (V,), (C,) int64 or None
         The file's own numbers of nodes and elements, in any order and with gaps; None where it has none, or where
         they are just the rows counted on.
+
+    Raises
+    ------
+    ValueError
+        An array has the wrong shape, length or type, or a corner is no vertex: which, and what was expected.
+
+    >>> Mesh.from_cells(np.zeros((8, 3)), [[0, 1, 2, 3, 4, 5, 6, 8]])
+    Traceback (most recent call last):
+    ValueError: corners refer to vertices 0 to 8, expected 0 to 7
     """
 
     coordinates: Floats
@@ -51,20 +67,50 @@ class Mesh:
     cell_numbers: NDArray[np.int64] | None = None
 
     def __post_init__(self) -> None:
-        self.coordinates = np.ascontiguousarray(self.coordinates, dtype=np.float64)
-        self.corners = np.ascontiguousarray(self.corners, dtype=np.int32)
-        self.kinds = np.ascontiguousarray(self.kinds, dtype=np.uint8)
-        if self.coordinates.ndim != 2 or len(self.coordinates) != 3:
-            raise ValueError(f"coordinates must be (3, V), not {self.coordinates.shape}")
-        if self.corners.ndim != 2 or len(self.corners) != 8:
-            raise ValueError(f"corners must be (8, C), not {self.corners.shape}")
-        if self.kinds.shape != (self.cell_count,):
-            raise ValueError(f"kinds must be ({self.cell_count},), not {self.kinds.shape}")
+        coordinates, corners, kinds = map(np.asarray, (self.coordinates, self.corners, self.kinds))
+        if coordinates.ndim != 2 or len(coordinates) != 3 or coordinates.dtype.kind not in "iufb":
+            raise ValueError(f"coordinates must be (3, V) numbers, not {shape_of(coordinates)}")
+        if corners.ndim != 2 or len(corners) != 8:
+            raise ValueError(f"corners must be (8, C), not {corners.shape}")
+        if kinds.shape != corners.shape[1:]:
+            raise ValueError(f"kinds must be ({corners.shape[1]},), not {kinds.shape}")
+        check_range(corners, coordinates.shape[1], "corners refer to vertices")
+        check_range(kinds, len(KINDS), "kinds are")
+        for name, values, dtype in (
+            ("coordinates", coordinates, np.float64), ("corners", corners, np.int32), ("kinds", kinds, np.uint8)
+        ):  # fmt: skip
+            array = np.ascontiguousarray(values, dtype=dtype)
+            if array.flags.writeable:
+                array = array.view()
+                array.flags.writeable = False
+            self.__dict__[name] = array
+        self.vertex_numbers = numbers_of(self.vertex_numbers, self.vertex_count, "vertex_numbers")
+        self.cell_numbers = numbers_of(self.cell_numbers, self.cell_count, "cell_numbers")
+        self.check_data()
+
+    def __setattr__(self, name: str, value: object) -> None:
+        if name in GEOMETRY and name in self.__dict__:
+            raise AttributeError(
+                f"a mesh keeps its {name}, as what is computed of them is kept; "
+                f"make another by dataclasses.replace(mesh, {name}=...)"
+            )
+        super().__setattr__(name, value)
+
+    def check_data(self) -> None:
+        """Make arrays of all attributes.
+
+        Raises
+        ------
+        ValueError
+            One has not a number or a row of numbers for each vertex or cell.
+        """
+        self.point_data = checked(self.point_data, self.vertex_count, "point_data", "vertices")
+        self.cell_data = checked(self.cell_data, self.cell_count, "cell_data", "cells")
 
     @classmethod
-    def from_cells(cls, points: Array, cells: Array, **fields: Any) -> Mesh:
+    def from_cells(cls, points: ArrayLike, cells: ArrayLike, **fields: Any) -> Mesh:
         """Make a mesh of hexahedra from (V, 3) points and (C, 8) vertex ids."""
-        cells = np.asarray(cells, dtype=np.int32).reshape(-1, 8)
+        cells = np.asarray(cells).reshape(-1, 8)
         kinds = np.zeros(len(cells), dtype=np.uint8)
         return cls(np.asarray(points, dtype=np.float64).reshape(-1, 3).T, cells.T, kinds, **fields)
 
@@ -131,6 +177,47 @@ class Mesh:
     def topology(self) -> Topology:
         """Faces, edges, adjacency: computed at first use, part by part, and kept."""
         return Topology(self.corners, self.vertex_count)
+
+
+def shape_of(values: Array) -> str:
+    """Shape and type of an array, for messages."""
+    return f"{values.shape} {values.dtype}"
+
+
+def check_range(values: Array, count: int, what: str) -> None:
+    """Raise ValueError unless all values are integers from 0 on, below the count."""
+    if not values.size:
+        return
+    if values.dtype.kind not in "iu":
+        raise ValueError(f"{what} {values.dtype}, expected integers")
+    if values.dtype == np.int32 and values.flags.c_contiguous:
+        if int(values.view(np.uint32).max()) < count:  # the negative ones are the largest
+            return
+    elif int(values.min()) >= 0 and int(values.max()) < count:
+        return
+    raise ValueError(f"{what} {values.min()} to {values.max()}, expected 0 to {count - 1}")
+
+
+def numbers_of(values: Any, count: int, what: str) -> NDArray[np.int64] | None:
+    """The file's own numbers as int64, one for each of so many entries; raises ValueError."""
+    if values is None:
+        return None
+    numbers = np.asarray(values)
+    if numbers.shape != (count,) or (count and numbers.dtype.kind not in "iu"):
+        raise ValueError(f"{what} must be ({count},) integers, not {shape_of(numbers)}")
+    return numbers.astype(np.int64, copy=False)
+
+
+def checked(data: dict[str, Array], count: int, name: str, entries: str) -> dict[str, Array]:
+    """The attributes as arrays; raises ValueError where one has not a row for each of so many entries."""
+    arrays = {key: np.asarray(values) for key, values in data.items()}
+    for key, values in arrays.items():
+        if values.ndim not in (1, 2) or len(values) != count or values.dtype.kind not in "iufb":
+            raise ValueError(
+                f"{name}[{key!r}] must be a number or a row of numbers for each of {count} {entries}, "
+                f"not {shape_of(values)}"
+            )
+    return arrays
 
 
 def cell_barycentres(coordinates: Floats, corners: Ids, kinds: NDArray[np.uint8]) -> Floats:

@@ -68,7 +68,10 @@ def write_bytes(mesh: Mesh, format_id: str) -> bytes:
     ------
     MeshWriteError
         The format is unknown or can't be written.
+    ValueError
+        An attribute that the mesh was given since it was made has not a row for each vertex or cell.
     """
+    mesh.check_data()
     for row in FORMATS:
         if row.id == format_id and row.writer:
             return row.writer(mesh)
@@ -89,6 +92,8 @@ def write(mesh: Mesh, path: str | os.PathLike[str]) -> None:
     ------
     MeshWriteError
         No format that can be written has that ending, or the file can't be written.
+    ValueError
+        An attribute that the mesh was given since it was made has not a row for each vertex or cell.
     """
     path = Path(path)
     row = _written_as(path)

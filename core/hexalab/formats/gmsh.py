@@ -1,10 +1,13 @@
-"""Gmsh `.msh` 2.2 and 4.1, ASCII and binary (SPEC R5).
+"""Gmsh `.msh` 1, 2, 3, 4.0 and 4.1, ASCII and binary (SPEC R5).
 
-Nodes may carry any numbers, with gaps. Cells keep the attributes "physical" (group) and "entity" (of the
-geometry), and what $NodeData and $ElementData hold by name.
+Nodes may carry any numbers, with gaps. Cells keep the attributes "physical" (group), "entity" (of the geometry) and
+"partition", and what $NodeData and $ElementData hold by name.
 """
 
 from __future__ import annotations
+
+import re
+from collections.abc import Callable
 
 import numpy as np
 
@@ -13,13 +16,29 @@ from ..errors import MeshReadError
 from ..mesh import Mesh
 from .assembly import Assembly, CellBlock, check_finite, free_name
 from .file import File
+from .gmsh1 import Gmsh1
 from .gmsh2 import Gmsh2
-from .gmsh4 import Gmsh4
-from .gmsh_data import read_data
+from .gmsh3 import Gmsh3
+from .gmsh4 import LAYOUTS, Gmsh4
+from .gmsh_data import named_groups, read_data, title_of
 from .gmsh_numbers import Numbers
 from .gmsh_parts import Elements, Nodes
-from .ids import Numbering
-from .tokens import quoted
+from .ids import Numbering, narrowed
+from .tokens import RUN_OF_NUMBERS, quoted
+
+Version = Gmsh1 | Gmsh2 | Gmsh3 | Gmsh4
+
+VERSIONS: tuple[tuple[str, Callable[[Numbers, Assembly], Version]], ...] = (
+    (r"1(\.0)?", Gmsh1),
+    (r"2(\.[012])?", Gmsh2),
+    (r"3(\.0)?", Gmsh3),
+    (r"4(\.0)?", lambda numbers, out: Gmsh4(numbers, out, LAYOUTS["4.0"])),
+    (r"4\.1", lambda numbers, out: Gmsh4(numbers, out, LAYOUTS["4.1"])),
+)
+"""What a version is called in files, and what reads its sections."""
+
+NODES = (b"$Nodes", b"$NOD", b"$NOE")
+ELEMENTS = (b"$Elements", b"$ELM")
 
 
 def read(file: File) -> Mesh:
@@ -31,12 +50,15 @@ class Reader:
     """One pass over the sections."""
 
     def __init__(self, file: File) -> None:
-        self.numbers = Numbers(file)
         self.out = Assembly(file, "msh")
+        self.numbers = Numbers(file, self.out.note)
         version = self.numbers.version
-        if version not in ("2", "2.0", "2.1", "2.2", "4.1"):
-            raise self.numbers.error(f"the file has version {quoted(version.encode())}, expected 2.2 or 4.1")
-        self.version: Gmsh2 | Gmsh4 = Gmsh2(self.numbers) if version.startswith("2") else Gmsh4(self.numbers)
+        readers = [reader for pattern, reader in VERSIONS if re.fullmatch(pattern, version)]
+        if not readers:
+            raise self.numbers.error(
+                f"the file has version {quoted(version.encode())}, expected 1, 2, 3, 4.0 or 4.1"
+            )
+        self.version = readers[0](self.numbers, self.out)
         self.nodes: Nodes | None = None
         self.elements: list[Elements] = []
         self.data: list[tuple[str, str, Array, Array]] = []
@@ -66,31 +88,64 @@ class Reader:
 
     def section(self, word: bytes) -> None:
         """Read or skip a section whose name has just been taken."""
-        text = self.numbers.text
+        text, version = self.numbers.text, self.version
         start = text.position
-        if word == b"$Nodes":
+        mark = (b"$END" if word in (b"$NOD", b"$NOE", b"$ELM") else b"$End") + word[1:]
+        if word in NODES:
             if self.nodes is not None:
-                raise self.numbers.error("a second section $Nodes, expected one")
-            self.nodes = self.version.nodes()
+                raise self.numbers.error(f"a second section {word.decode()}, expected one")
+            self.nodes = version.nodes()
             check_finite(
-                self.nodes.coordinates, lambda message, _: self.numbers.error(f"in $Nodes, {message}", start)
+                self.nodes.coordinates,
+                lambda message, _: self.numbers.error(f"in {word.decode()}, {message}", start),
             )
-        elif word == b"$Elements":
-            self.elements += self.version.elements(self.out)
-        elif word == b"$Entities" and isinstance(self.version, Gmsh4):
-            self.version.entities()
+        elif word in ELEMENTS:
+            self.elements += version.elements()
+        elif word == b"$Entities" and isinstance(version, Gmsh3 | Gmsh4):
+            version.entities()
+        elif word == b"$PartitionedEntities" and isinstance(version, Gmsh4):
+            version.partitioned_entities()
         elif word in (b"$NodeData", b"$ElementData"):
             self.values(word)
         else:
-            end = text.data.find(b"$End" + word[1:], text.position)
+            end = text.data.find(mark, text.position)
             if end < 0:
-                raise self.numbers.error(f"the file ends before $End{word[1:40].decode('latin-1')}", start)
+                raise self.numbers.error(f"the file ends before {quoted(mark)[1:-1]}", start)
+            self.note_skipped(word, text.data[start:end])
             text.position = end
-        end_word = text.word()
-        if end_word != b"$End" + word[1:]:
+        self.end(word, mark)
+
+    def end(self, word: bytes, mark: bytes) -> None:
+        """Take the mark of a section's end; numbers that stand before it are passed over, as by Gmsh.
+
+        Raises
+        ------
+        MeshReadError
+            Something else stands there.
+        """
+        text = self.numbers.text
+        position = text.position
+        found = text.word()
+        if found == mark:
+            return
+        end = text.data.find(mark, position)
+        surplus = text.data[position:end] if end >= 0 and not self.numbers.binary else b"$"
+        if not RUN_OF_NUMBERS.fullmatch(surplus):
             raise self.numbers.error(
-                f"{quoted(end_word)} stands where $End{word[1:40].decode('latin-1')} was expected",
-                text.position - len(end_word),
+                f"{quoted(found)} stands where {quoted(mark)[1:-1]} was expected", text.position - len(found)
+            )
+        text.position = end + len(mark)
+        self.out.note(
+            f"{quoted(word)[1:-1]} holds more than it announces, {len(surplus.split())} numbers: passed over."
+        )
+
+    def note_skipped(self, word: bytes, content: bytes) -> None:
+        """Say what is lost of a section that is not read, where a mesh has a use for it."""
+        if word == b"$PhysicalNames" and (names := named_groups(content)):
+            self.out.note(names)
+        elif word == b"$ElementNodeData":
+            self.out.note(
+                f"Values at the nodes of each element were left out: {title_of(content)} ($ElementNodeData)."
             )
 
     def values(self, word: bytes) -> None:
@@ -124,10 +179,11 @@ class Reader:
         for name, owners in (
             ("entity", [p.entities for p in parts]),
             ("physical", [p.physicals for p in parts]),
+            ("partition", [p.partitions for p in parts]),
         ):
             values = np.concatenate(owners)[order]
             if values.any():
-                self.out.cell_data[name] = values
+                self.out.cell_data[name] = narrowed(values)
         cells = Numbering(tags)
         for target, name, numbers, rows in self.data:
             on_cells = target == "$ElementData"

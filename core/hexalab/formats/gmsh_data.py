@@ -9,8 +9,28 @@ import numpy as np
 from ..arrays import Array
 from .gmsh_numbers import Numbers
 from .ids import whole_tags
+from .tokens import quoted
 
 QUOTED = re.compile(rb'\s*"([^"\n]*)"')
+
+GROUP = re.compile(rb'^[ \t]*3[ \t]+(\d{1,10})[ \t]+"([^"\r\n]*)"', re.M)
+"""A line of $PhysicalNames about a group of volumes: its number and its name."""
+
+MOST_NAMES = 6
+
+
+def named_groups(content: bytes) -> str:
+    """A sentence that tells the names in a section $PhysicalNames, of groups of volumes; "" if there are none."""
+    found = GROUP.findall(content)
+    names = ", ".join(f"{int(number)} is {quoted(name)}" for number, name in found[:MOST_NAMES])
+    more = f" and {len(found) - MOST_NAMES} more" if len(found) > MOST_NAMES else ""
+    return f"Names of physical groups are not kept, their numbers are: {names}{more}." if found else ""
+
+
+def title_of(content: bytes) -> str:
+    """The name in a section of values that is not read, in quotes."""
+    match = re.search(rb'"([^"\n]*)"', content)
+    return quoted(match[1] if match and match[1] else b"unnamed")
 
 
 def read_data(numbers: Numbers, section: bytes) -> tuple[str, str, Array, Array]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -13,6 +15,9 @@ from .file import File
 from .text import Text
 from .tokens import quoted
 
+FIRST_VERSION = re.compile(rb"\s*\$NO[DE]\s")
+"""How a file of version 1 begins."""
+
 
 class Numbers:
     """Takes numbers from the present position of a `.msh` file.
@@ -21,21 +26,26 @@ class Numbers:
     ----------
     file : File
         The file; its section $MeshFormat is read at once.
+    note : callable, optional
+        Takes a sentence for the user.
 
     Attributes
     ----------
     text : Text
         The file and the present position.
     version : str
-        As the file says, "2.2" or "4.1" among others.
+        As the file says, "2.2" or "4.1" among others; "1" if it begins with its nodes.
     """
 
-    def __init__(self, file: File) -> None:
-        self.text = text = Text(file)
+    def __init__(self, file: File, note: Callable[[str], object] | None = None) -> None:
+        self.text = text = Text(file, note=note)
+        self.version, self.binary, self.order, self.size_code = "1", False, "<", "i4"
+        if FIRST_VERSION.match(text.data, text.position):
+            return
         start = text.data.find(b"$MeshFormat")
         if start < 0:
             raise file.error(
-                "the file has no section $MeshFormat, expected Gmsh's .msh 2.2 or 4.1", line_at=0
+                "the file has neither $MeshFormat nor $NOD, expected Gmsh's .msh 1 to 4.1", line_at=0
             )
         text.position = start + len("$MeshFormat")
         self.version = text.word().decode("latin-1")
@@ -46,7 +56,6 @@ class Numbers:
                 f"the file type {binary} and number size {size} were found, expected 0 or 1, 4 or 8"
             )
         self.binary = binary == 1
-        self.order = "<"
         self.size_code = f"i{size}"
         if self.binary:
             text.line()

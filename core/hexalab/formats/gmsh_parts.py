@@ -1,4 +1,4 @@
-"""What both versions of `.msh` are read into."""
+"""What all versions of `.msh` are read into."""
 
 from __future__ import annotations
 
@@ -30,8 +30,10 @@ class Elements:
         Index into KINDS.
     corners : (k, n) integers
         Node numbers of the file, in VTK's order.
-    tags, entities, physicals : (n,) integers
-        The elements' numbers, and the entity and physical group they belong to (0 for none).
+    tags : (n,) integers
+        The elements' numbers.
+    entities, physicals, partitions : (n,) integers
+        The entity, physical group and partition they belong to (0 for none).
     ordinals : (n,) integers
         Places among all elements of the file.
     begin : int
@@ -43,8 +45,54 @@ class Elements:
     tags: Array
     entities: Array
     physicals: Array
+    partitions: Array
     ordinals: Array
     begin: int
+
+
+@dataclass
+class Rows:
+    """All elements of a section whose rows tell everything themselves (versions 1 to 3).
+
+    Parameters
+    ----------
+    values : (n,) integers
+        The section's numbers.
+    nodes : (m,) int
+        Where each element's nodes begin in `values`.
+    types, tags, entities, physicals, partitions : (m,) integers
+        Of each element: gmsh's type, its number, what it belongs to (0 for none).
+    begin : int
+        Byte at which the section begins, for errors.
+    """
+
+    values: Array
+    nodes: Array
+    types: Array
+    tags: Array
+    entities: Array
+    physicals: Array
+    partitions: Array
+    begin: int
+
+    def by_type(self, out: Assembly) -> list[Elements]:
+        """The elements of each type that is kept; the others are counted in `out`."""
+        parts = []
+        for number in np.unique(self.types).tolist():
+            which = np.flatnonzero(self.types == number)
+            own = own_corners(out, number, len(which))
+            if own is None:
+                continue
+            kind, order = own
+            corners = np.stack([self.values[self.nodes[which] + corner] for corner in order])
+            entities, physicals, partitions = (
+                self.entities[which],
+                self.physicals[which],
+                self.partitions[which],
+            )
+            tags = self.tags[which]
+            parts.append(Elements(kind, corners, tags, entities, physicals, partitions, which, self.begin))
+        return parts
 
 
 def own_corners(out: Assembly, element_type: int, count: int) -> tuple[int, list[int]] | None:
@@ -75,3 +123,11 @@ def nodes_of(types: Array) -> Array:
     """Number of nodes of each element, 0 for an unknown type."""
     known = (types >= 0) & (types < len(NODES_OF_TYPE))
     return np.where(known, NODES_OF_TYPE[np.where(known, types, 0)], 0)
+
+
+def sound(length: Array, *counts: Array) -> Array:
+    """The lengths of rows, 0 where one of the counts they are made of makes no sense."""
+    good = np.ones(len(length), dtype=bool)
+    for count in counts:
+        good &= (count >= 0) & (count <= 2**31)
+    return np.where(good, length, 0)

@@ -1,4 +1,4 @@
-"""Vertex ids: kept as int32, whatever the file has; a file's own numbering made ours."""
+"""Whole numbers of a file: vertex ids as int32, all others as wide as they need; a file's own numbering made ours."""
 
 from __future__ import annotations
 
@@ -12,7 +12,10 @@ LARGEST_ID = 2**31 - 2
 
 
 def within_int32(values: Array) -> Array:
-    """The integers, those that do not fit int32 moved to its ends, so that a range check finds them."""
+    """The vertex ids, those that do not fit int32 moved to its ends, so that a range check finds them.
+
+    For ids alone: a reference or an attribute would come out as another number.
+    """
     if values.dtype.itemsize <= 4 and values.dtype.kind == "i":
         return values
     if not values.size:
@@ -25,7 +28,7 @@ def within_int32(values: Array) -> Array:
 
 
 def as_int32(values: Array) -> Array:
-    """The integers as int32, in either byte order; no copy where they are that already.
+    """The vertex ids as int32, in either byte order; no copy where they are that already.
 
     Those that do not fit are moved to the range's ends, as by `within_int32`. Of 64-bit numbers that fit, the
     lower halves are taken where they stand: one pass over the bits that any of them has tells that they fit.
@@ -38,6 +41,28 @@ def as_int32(values: Array) -> Array:
             order = values.dtype.str[0]
             return values.view(f"{order}i4")[..., 1 if order == ">" else 0 :: 2]
     return within_int32(native(values)).astype(np.int32)
+
+
+def fits_int32(values: Array) -> bool:
+    """Whether int32 can hold all of the integers."""
+    if not values.size or (values.dtype.kind == "i" and values.dtype.itemsize <= 4):
+        return True
+    return int(values.max()) < 2**31 and int(values.min()) >= -(2**31)
+
+
+def put(out: Array, part: slice, values: Array) -> Array:
+    """Store integers in `out[part]`; the array they stand in, which is `out` as int64 where int32 can't hold them."""
+    if out.dtype == np.int32 and not fits_int32(values):
+        out = out.astype(np.int64)
+    out[part] = values
+    return out
+
+
+def narrowed(values: Array) -> Array:
+    """The integers as int32 if it can hold all of them, else as int64 (or as they are, where that can't)."""
+    if fits_int32(values):
+        return values.astype(np.int32)
+    return values if values.dtype.kind == "u" and int(values.max()) >= 2**63 else values.astype(np.int64)
 
 
 def whole_tags(values: Array) -> NDArray[np.int64] | None:

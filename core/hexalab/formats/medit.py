@@ -17,10 +17,10 @@ from ..errors import MeshReadError
 from ..mesh import Mesh
 from .assembly import Assembly, CellBlock, check_finite
 from .file import File
-from .ids import within_int32
+from .ids import narrowed, put, whole_tags, within_int32
 from .medit_keywords import CELLS, ORDERS, SKIPPED, SURFACE
 from .text import Interrupted, Text
-from .tokens import NUMBER, quoted
+from .tokens import NUMBER, is_number, quoted
 
 NEXT_KEYWORD = re.compile(rb"(?<!\S)[A-Za-z]\S*")
 REFERENCE = "reference"
@@ -35,8 +35,8 @@ class Reader:
     """One pass over the file, section by section."""
 
     def __init__(self, file: File) -> None:
-        self.text = Text(file, comment=b"#")
         self.out = Assembly(file, "mesh")
+        self.text = Text(file, comment=b"#", note=self.out.note)
         self.point_references: Array | None = None
         self.cell_references: list[Array] = []
 
@@ -118,6 +118,16 @@ class Reader:
         self.out.coordinates = values[:3]
         if width == 4:
             self.point_references = whole_references(values[3])
+            if np.abs(values[3]).max(initial=0) >= 2**53:
+                self.point_references = self.long_references(start)
+
+    def long_references(self, start: int) -> Array:
+        """References of vertices that a float64 rounds, out of their words; as they are where one is not whole."""
+        words = self.text.data[start : self.text.position].split()[3::4]
+        try:
+            return np.array(words).astype(np.int64)
+        except (ValueError, OverflowError):
+            return np.array(words).astype(np.float64)
 
     def vertex_rows(self, count: int, width: int) -> Array:
         """(width, count) float64."""
@@ -144,10 +154,15 @@ class Reader:
         try:
             corners, references = self.cell_rows(keyword, count, width)
         except Interrupted as stop:
-            if stop.found != count * other:
+            self.text.position = start
+            if stop.found % (row + 1) == row and is_number(stop.word, np.float64):
+                corners, references = self.cells_of_real_references(keyword, count, stop)
+                width = row + 1
+            elif stop.found == count * other:
+                width = other
+                corners, references = self.cell_rows(keyword, count, width)
+            else:
                 raise
-            self.text.position, width = start, other
-            corners, references = self.cell_rows(keyword, count, width)
         if row > own and count:
             self.out.note(f"Cells of higher order ({keyword}) are shown by their corners.")
         text = self.text
@@ -158,19 +173,35 @@ class Reader:
         self.out.blocks.append(CellBlock(kind, corners, locate, base=1))
         self.cell_references.append(references)
 
-    def cell_rows(self, keyword: str, count: int, width: int) -> tuple[Ids, Ids]:
-        """(own corners, count) zero-based and (count,) references, int32."""
-        kind, own, row = CELLS[keyword]
-        order = ORDERS.get(kind)
+    def cells_of_real_references(self, keyword: str, count: int, stop: Interrupted) -> tuple[Ids, Array]:
+        """`cell_rows` of a section whose references are written as ‘0.0’; raises `stop` if its ids are no integers."""
+        _, own, row = CELLS[keyword]
+        corners, references = np.empty((own, count), dtype=np.int32), np.zeros(count)
+        for part, rows in self.text.rows(count, row + 1, np.float64, keyword.capitalize()):
+            ids = whole_tags(rows[:, :own])
+            if ids is None:
+                raise stop
+            np.subtract(within_int32(ids).T, 1, out=corners[:, part], casting="unsafe")
+            references[part] = rows[:, row]
+        self.out.note(
+            f"The references of {keyword.capitalize()} are written as numbers with a decimal point."
+        )
+        return in_own_order(keyword, corners), whole_references(references)
+
+    def cell_rows(self, keyword: str, count: int, width: int) -> tuple[Ids, Array]:
+        """(own corners, count) zero-based, and (count,) references as int32, or int64 where one is large."""
+        _, own, row = CELLS[keyword]
         self.check_room(count, width, 2 * row + 1 - width, keyword.capitalize())
         corners = np.empty((own, count), dtype=np.int32)
-        references = np.zeros(count, dtype=np.int32)
+        references: Array = np.zeros(count, dtype=np.int32)
         for part, rows in self.text.rows(count, width, np.intp, keyword.capitalize()):
-            rows = within_int32(rows)
-            np.subtract(rows[:, :own].T, 1, out=corners[:, part], casting="unsafe")
-            if width > row:
+            small = within_int32(rows)
+            np.subtract(small[:, :own].T, 1, out=corners[:, part], casting="unsafe")
+            if width > row and small is rows:
                 references[part] = rows[:, row]
-        return corners if order is None else corners[list(order)], references
+            elif width > row:
+                references = put(references, part, rows[:, row])
+        return in_own_order(keyword, corners), references
 
     def guess(self, width: int) -> int:
         """The width if the next line has as many numbers or more than one row, else one less."""
@@ -185,8 +216,15 @@ class Reader:
             raise Interrupted(self.text.error(message), count * other)
 
 
+def in_own_order(keyword: str, corners: Ids) -> Ids:
+    """A section's corners in VTK's order."""
+    order = ORDERS.get(CELLS[keyword][0])
+    return corners if order is None else corners[list(order)]
+
+
 def whole_references(values: Array) -> Array:
-    """(V,) references as int32 where they are whole numbers of that size, else as they are."""
-    if np.isfinite(values).all() and np.abs(values).max(initial=0) < 2**31 and (values % 1 == 0).all():
-        return values.astype(np.int32)
-    return values
+    """References as integers where all are whole: int32 if it can hold them, else int64."""
+    if values.dtype.kind != "f":
+        return narrowed(values)
+    whole = whole_tags(values)
+    return values if whole is None else narrowed(whole)

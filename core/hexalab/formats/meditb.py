@@ -16,7 +16,7 @@ from ..cells import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
 from ..errors import MeshReadError
 from ..mesh import Mesh
 from .assembly import Assembly, CellBlock, check_finite
-from .byte_order import as_coordinates
+from .byte_order import as_coordinates, native
 from .file import File
 from .ids import within_int32
 from .medit import REFERENCE, whole_references
@@ -144,7 +144,7 @@ class Reader:
         )
         self.out.coordinates = coordinates
         if rows["reference"].any():
-            self.out.point_data[REFERENCE] = whole_references(rows["reference"])
+            self.out.point_data[REFERENCE] = whole_references(native(rows["reference"]))
 
     def cells(self, section: int) -> None:
         """Read rows of corners, counted from 1, and a reference; int64 in version 4, int32 before."""
@@ -165,4 +165,4 @@ class Reader:
             return self.error(message, begin + cell * size + corner * int(self.whole[1]))
 
         self.out.blocks.append(CellBlock(kind, corners, locate, base=1))
-        self.references.append(whole_references(rows[:, row]))
+        self.references.append(whole_references(native(rows[:, row])))

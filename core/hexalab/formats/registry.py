@@ -81,7 +81,7 @@ FORMATS: tuple[Format, ...] = (
         re.compile(rb"\x01\x00{3}[\x01-\x04]\x00{3}|\x00{3}\x01\x00{3}[\x01-\x04]"),
         meditb.read,
     ),
-    Format("msh", "Gmsh", (".msh",), re.compile(START + rb"\$(?:MeshFormat|Comments)"), gmsh.read),
+    Format("msh", "Gmsh", (".msh",), re.compile(START + rb"\$(?:MeshFormat|Comments|NO[DE]\s)"), gmsh.read),
     Format("ovm", "OpenVolumeMesh", (".ovm",), re.compile(START + rb"OVM\s", re.I), openvolumemesh.read),
     Format(
         "inp",

@@ -8,7 +8,7 @@ then the guilty one is searched for.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
@@ -16,15 +16,17 @@ from numpy.typing import DTypeLike, NDArray
 
 from ..errors import MeshReadError
 from .file import File
-from .ids import within_int32
+from .ids import as_int32, put
 from .tokens import (
-    FORTRAN_EXPONENT,
     INTEGER,
+    NUMBER,
+    UNUSUAL,
     WORD,
     is_number,
     parse,
     piece_end,
     quoted,
+    respelled,
     token_starts,
     word_span,
 )
@@ -40,11 +42,14 @@ class Interrupted(MeshReadError):
     ----------
     found : int
         How many numbers of the block stand before it.
+    word : bytes
+        What stands there; empty at the end of the file.
     """
 
-    def __init__(self, error: MeshReadError, found: int) -> None:
+    def __init__(self, error: MeshReadError, found: int, word: bytes = b"") -> None:
         super().__init__(error.message, file=error.file, line=error.line, offset=error.offset)
         self.found = found
+        self.word = word
 
 
 class Text:
@@ -56,10 +61,13 @@ class Text:
         The file; a byte order mark at its start is skipped.
     comment : bytes
         What opens a comment that runs to the end of the line; comments count as white space.
+    note : callable, optional
+        Takes a sentence about numbers that are spelled in a way worth telling; `Assembly.note`.
     """
 
-    def __init__(self, file: File, comment: bytes = b"") -> None:
+    def __init__(self, file: File, comment: bytes = b"", note: Callable[[str], object] | None = None) -> None:
         self.file = file
+        self.note = note
         self.data = file.data
         if comment and comment in self.data:
             self.data = re.sub(re.escape(comment) + rb"[^\r\n]*", lambda m: b" " * len(m[0]), self.data)
@@ -150,7 +158,7 @@ class Text:
             piece = data[self.position : end]
             values, stopped = parse(piece, dtype)
             if stopped and found + len(values) < count and dtype == np.float64:
-                values, stopped = parse(FORTRAN_EXPONENT.sub(b"e", piece), dtype)
+                values, stopped = parse(respelled(piece), dtype)
             if (stopped or end == len(data)) and found + len(values) < count:
                 raise self.interruption(piece, dtype, what, found, count)
             values = values[: count - found]
@@ -159,28 +167,48 @@ class Text:
                 last = word_span(piece, len(values))
                 if not last or not is_number(piece[slice(*last)], dtype):
                     raise self.interruption(piece, dtype, what, found - len(values), count)
+                if dtype == np.float64 and not NUMBER.fullmatch(piece, *last):
+                    values[-1] = parse(respelled(piece[slice(*last)]), dtype)[0][0]
+                self.tell_unusual(values, piece)
                 self.position += last[1]
             else:
+                self.tell_unusual(values, piece)
                 self.position = end
             yield values
 
+    def tell_unusual(self, values: NDArray[Any], piece: bytes) -> None:
+        """Note a word such as ‘-nan(ind)’, where a sum tells that one may be there."""
+        if self.note is None or values.dtype.kind != "f":
+            return
+        with np.errstate(all="ignore"):
+            if np.isfinite(values.sum()):
+                return
+        if match := UNUSUAL.search(piece):
+            self.note(f"Values such as {quoted(match[0])} are taken as not a number or infinite.")
+
     def numbers(self, count: int, dtype: DTypeLike, what: str) -> NDArray[Any]:
-        """Take `count` numbers as one array; see `pieces`."""
+        """Take `count` numbers as one array, integers as int64 where `dtype` can't hold them; see `pieces`."""
         self.check_room(count, what)
-        out = np.empty(count, dtype=dtype)
-        start = 0
-        for values in self.pieces(count, dtype, what):
-            out[start : start + len(values)] = values
-            start += len(values)
-        return out
+        return self.gathered(count, np.empty(count, dtype), dtype, what)
+
+    def integers(self, count: int, what: str) -> NDArray[Any]:
+        """Take `count` whole numbers as int32; as int64 where one does not fit."""
+        self.check_room(count, what)
+        return self.gathered(count, np.empty(count, np.int32), np.intp, what)
 
     def ids(self, count: int, what: str) -> NDArray[np.int32]:
-        """Take `count` whole numbers as int32; those that do not fit become an end of its range."""
-        self.check_room(count, what)
-        out = np.empty(count, dtype=np.int32)
+        """Take `count` ids as int32; those that do not fit become an end of its range."""
+        return as_int32(self.integers(count, what))
+
+    def gathered(self, count: int, out: NDArray[Any], dtype: DTypeLike, what: str) -> NDArray[Any]:
+        """Take `count` numbers, parsed as `dtype`, into `out`."""
         start = 0
-        for values in self.pieces(count, np.intp, what):
-            out[start : start + len(values)] = within_int32(values)
+        for values in self.pieces(count, dtype, what):
+            part = slice(start, start + len(values))
+            if out.dtype == values.dtype:
+                out[part] = values
+            else:
+                out = put(out, part, values)
             start += len(values)
         return out
 
@@ -206,9 +234,10 @@ class Text:
             piece = self.data[self.position : cut]
             values, stopped = parse(piece, dtype)
             if stopped and dtype == np.float64:
-                values, stopped = parse(FORTRAN_EXPONENT.sub(b"e", piece), dtype)
+                values, stopped = parse(respelled(piece), dtype)
             if stopped:
                 raise self.interruption(piece, dtype, what, found, -1)
+            self.tell_unusual(values, piece)
             arrays.append(values)
             found += len(values)
             self.position = cut
@@ -244,7 +273,7 @@ class Text:
                 message = f"{quoted(token[0])} stands where {kind} was expected, in {what}"
                 if count >= 0:
                     message += f", which should be {count} numbers: this is number {found + 1}"
-                return Interrupted(self.error(message, self.position + token.start()), found)
+                return Interrupted(self.error(message, self.position + token.start()), found, token[0])
             found += 1
         message = f"the file ends in {what}: {found} of {count} numbers are there"
         return Interrupted(self.error(message, len(self.data.rstrip())), found)

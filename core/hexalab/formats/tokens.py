@@ -10,11 +10,18 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 WORD = re.compile(rb"\S+")
-NUMBER = re.compile(rb"[+-]?(?:\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?|nan|inf(?:inity)?)", re.I)
+NUMBER = re.compile(
+    rb"[+-]?(?:\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?|nan(?:\(\w*\))?|inf(?:inity)?)", re.I
+)
 INTEGER = re.compile(rb"[+-]?\d+")
 RUN_OF_NUMBERS = re.compile(rb"\s*+(?:(?>" + NUMBER.pattern + rb")(?!\S)\s*+)*+", re.I)
 RUN_OF_INTEGERS = re.compile(rb"\s*+(?:" + INTEGER.pattern + rb"(?!\S)\s*+)*+")
 FORTRAN_EXPONENT = re.compile(rb"(?<=[\d.])[dD](?=[+-]?\d)")
+VISUAL_C = re.compile(rb"(?<![^\s,+-])1\.#(?:(INF)|QNAN|SNAN|IND)\d*", re.I)
+"""Infinite and not a number as Microsoft's runtime printed them before 2015."""
+
+UNUSUAL = re.compile(rb"(?<![^\s,])[+-]?(?:nan\(\w*\)|1\.#(?:INF|QNAN|SNAN|IND)\d*)", re.I)
+"""What only some C runtimes print for a number that is not finite: told in a note."""
 
 
 def parse(piece: bytes, dtype: DTypeLike) -> tuple[NDArray[Any], bool]:
@@ -23,6 +30,9 @@ def parse(piece: bytes, dtype: DTypeLike) -> tuple[NDArray[Any], bool]:
     No count is passed to numpy: where the text has fewer numbers, it returns memory that was never written.
     Nor white space alone, in which it finds a zero. Where a word is no number, numpy 2.2 warns and gives the numbers
     before it; later releases give nothing, so that they are asked once more for the text before that word.
+
+    Integers that `dtype` has no room for make int64 of them: where it is 32 bits wide, as `intp` is in WebAssembly,
+    they have been moved to the ends of its range.
     """
     if piece.isspace():
         return np.empty(0, dtype=dtype), False
@@ -34,7 +44,21 @@ def parse(piece: bytes, dtype: DTypeLike) -> tuple[NDArray[Any], bool]:
             run = (RUN_OF_NUMBERS if dtype == np.float64 else RUN_OF_INTEGERS).match(piece)
             good = run.end() if run and run.end() < len(piece) else 0
             return parse(piece[:good], dtype)[0], True
+    if values.dtype.itemsize < 8 and at_an_end(values):
+        return parse(piece, np.int64)
     return values, bool(caught)
+
+
+def at_an_end(values: NDArray[Any]) -> bool:
+    """Whether one of the integers is the smallest or largest of its type."""
+    ends = np.iinfo(values.dtype)
+    return bool(len(values) and (values.max() == ends.max or values.min() == ends.min))
+
+
+def respelled(piece: bytes) -> bytes:
+    """The text with Fortran's exponents and Visual C's words as numpy knows them; as many words as before."""
+    piece = VISUAL_C.sub(lambda match: b"inf" if match[1] else b"nan", piece)
+    return FORTRAN_EXPONENT.sub(b"e", piece)
 
 
 def piece_end(data: bytes, start: int, size: int) -> int:
@@ -68,7 +92,7 @@ def word_span(piece: bytes, count: int) -> tuple[int, int] | None:
 def is_number(word: bytes, dtype: DTypeLike) -> bool:
     """Whether all of the word is one number."""
     if dtype == np.float64:
-        return bool(NUMBER.fullmatch(FORTRAN_EXPONENT.sub(b"e", word)))
+        return bool(NUMBER.fullmatch(respelled(word)))
     return bool(INTEGER.fullmatch(word))
 
 

@@ -45,8 +45,8 @@ class Reader:
     """One pass over the file, section by section."""
 
     def __init__(self, file: File) -> None:
-        self.text = Text(file)
         self.out = Assembly(file, "vtk")
+        self.text = Text(file, note=self.out.note)
         self.values = Values(self.text, self.header())
         self.attributes = Attributes(self.text, self.values, self.out)
         self.cells: tuple[Array, Array | range, Array, ErrorAt] | None = None

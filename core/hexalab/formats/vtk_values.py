@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,9 @@ from .row_chain import ErrorAt
 from .text import Text
 from .tokens import quoted
 from .vtk_types import NUMBER_TYPES
+
+OLD_NAME = re.compile("(bit|char|short|int|long|float|double)[0-9]+")
+"""A type with the number of components behind it, as old files have; VTK looks at how the word begins."""
 
 
 class Values:
@@ -41,6 +45,10 @@ class Values:
     def number_type(self, word: bytes) -> str:
         """The code that numpy has for a VTK number type, without byte order; "bit" and "string" stay."""
         name = word.decode("latin-1").lower()
+        if name not in NUMBER_TYPES and (known := OLD_NAME.fullmatch(name)):
+            if self.text.note:
+                self.text.note(f"The type of numbers {quoted(word)} is taken as {known[1]}, as VTK does.")
+            name = known[1]
         if name in ("bit", "string", "utf8_string"):
             return "bit" if name == "bit" else "string"
         if name not in NUMBER_TYPES:
@@ -63,13 +71,13 @@ class Values:
         if self.binary:
             return self.take_binary(count, code, what, start)
         if code == "i4":
-            values: Array = self.text.ids(count, what)
+            values: Array = self.text.integers(count, what)
         elif code in ("f4", "f8"):
             values = self.text.numbers(count, np.float64, what).astype(code, copy=False)
         else:
             values = self.text.numbers(count, np.int64, what)
-            values = values.astype("u1" if code == "bit" else code, copy=False)
-
+            fitting = values.astype("u1" if code == "bit" else code, copy=False)
+            values = fitting if (fitting == values).all() else values
         return values, self.text_error(start)
 
     def text_error(self, start: int) -> ErrorAt:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import permutations
 
 import numpy as np
@@ -110,8 +111,8 @@ def test_R9_inverted_degenerate_and_invalid_cells_with_their_ids() -> None:
     cells = mesh.cells.copy()
     cells[1] = cells[1][list(MIRROR[HEXAHEDRON])]
     points = np.concatenate([mesh.points, [[3.5, 0.5, 0.5]] * 8])
+    points[cells[3, 6]] -= 0.9
     spoilt = Mesh.from_cells(points, cells)
-    spoilt.coordinates[:, cells[3, 6]] -= 0.9
     report = found(spoilt)
     assert report["inverted_cells"].cells.tolist() == [1]
     assert report["inverted_cells"].message == "1 cell has negative volume."
@@ -247,7 +248,9 @@ def test_R9_no_cells() -> None:
 
 def test_R9_coordinates_that_are_no_numbers() -> None:
     mesh = box(3, 1, 1)
-    mesh.coordinates[:, 0] = [np.nan, np.inf, 0]
+    coordinates = mesh.coordinates.copy()
+    coordinates[:, 0] = [np.nan, np.inf, 0]
+    mesh = replace(mesh, coordinates=coordinates)
     with np.errstate(all="raise"):
         report = found(mesh)
     assert report["degenerate_cells"].cells.tolist() == report["invalid_corner_cells"].cells.tolist() == [0]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -83,7 +85,9 @@ def test_F1_a_normal_of_any_length_and_of_none() -> None:
 
 def test_F1_cells_that_are_nowhere_do_not_hold_the_slider() -> None:
     mesh = box(4, 1, 1)
-    mesh.coordinates[0, 0] = np.nan
+    coordinates = mesh.coordinates.copy()
+    coordinates[0, 0] = np.nan
+    mesh = replace(mesh, coordinates=coordinates)
     hidden = plane(barycentre_places(mesh.barycentres, (1, 0, 0)), 0.7)
     assert hidden.tolist() == [False, True, True, False]
     assert barycentre_places(np.full((3, 2), np.nan), (1, 0, 0))[1:] == (0, 0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -31,6 +31,32 @@ class Made:
         return len(self.elements.get(kind, ()))
 
 
+@dataclass
+class Opened:
+    """What Gmsh finds in a file.
+
+    Parameters
+    ----------
+    points : dict of int to (3,) array
+        Where each node is, by its tag.
+    cells : dict of int to tuple
+        Of each volumetric element, by its tag: Gmsh's type, its node tags, smallest determinant of its Jacobian.
+    physicals, partitions : dict of int to list of int
+        The physical groups and partitions of each of them.
+    entities : dict of int to int
+        Its entity, of a partitioned one the parent.
+    views : dict of str to (dict of int to list of float)
+        Data by name, by tag.
+    """
+
+    points: dict[int, Any]
+    cells: dict[int, tuple[int, list[int], float]]
+    physicals: dict[int, list[int]]
+    partitions: dict[int, list[int]]
+    entities: dict[int, int]
+    views: dict[str, dict[int, list[float]]]
+
+
 @dataclass(frozen=True)
 class File:
     """A file to write, under these options of Gmsh."""
@@ -39,20 +65,30 @@ class File:
     options: Sequence[tuple[str, float]] = ()
 
 
-def make(*files: File, wedges: bool = True, order: int = 1, gaps: bool = False) -> Made:
+def make(*files: File, wedges: bool = True, order: int = 1, gaps: bool = False, partitions: int = 0) -> Made:
     """A unit cube of hexahedra, and on request a prism of wedges beside it, written to each of the files.
 
     Volumes are in the physical groups 7 and 9. With `gaps`, node tags are 1007, 1014, ...
     """
+    return _alone(_make, files, wedges, order, gaps, partitions)
+
+
+def opened(path: Path) -> Opened:
+    """What Gmsh finds in a file."""
+    return _alone(_opened, path)
+
+
+def _alone(function: Callable[..., Any], *arguments: Any) -> Any:
+    """The function's result, from a process of its own."""
     needs("gmsh")
     from concurrent.futures import ProcessPoolExecutor
     from multiprocessing import get_context
 
     with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool:
-        return pool.submit(_make, files, wedges, order, gaps).result()
+        return pool.submit(function, *arguments).result()
 
 
-def _make(files: Sequence[File], wedges: bool, order: int, gaps: bool) -> Made:
+def _make(files: Sequence[File], wedges: bool, order: int, gaps: bool, partitions: int) -> Made:
     import gmsh
 
     gmsh.initialize()
@@ -89,6 +125,8 @@ def _make(files: Sequence[File], wedges: bool, order: int, gaps: bool) -> Made:
         if gaps:
             tags, _, _ = gmsh.model.mesh.getNodes()
             gmsh.model.mesh.renumberNodes(tags.tolist(), (tags * 7 + 1000).tolist())
+        if partitions:
+            gmsh.model.mesh.partition(partitions)
         for file in files:
             for name, value in file.options:
                 gmsh.option.setNumber(name, value)
@@ -105,3 +143,33 @@ def _told(gmsh: Any) -> Made:
         numbers, nodes = gmsh.model.mesh.getElementsByType(kind)
         elements[int(kind)] = np.asarray(nodes).reshape(len(numbers), -1)
     return Made(elements, dict(zip(map(int, tags), np.reshape(points, (-1, 3)), strict=True)))
+
+
+def _opened(path: Path) -> Opened:
+    import gmsh
+
+    gmsh.initialize()
+    try:
+        gmsh.option.setNumber("General.Terminal", 0)
+        gmsh.open(str(path))
+        found = Opened(_told(gmsh).points, {}, {}, {}, {}, {})
+        for dimension, entity in gmsh.model.getEntities(3):
+            groups = [int(group) for group in gmsh.model.getPhysicalGroupsForEntity(dimension, entity)]
+            parts = [int(part) for part in gmsh.model.getPartitions(dimension, entity)]
+            parent = gmsh.model.getParent(dimension, entity)
+            own = int(parent[1]) if parent[0] == 3 else int(entity)
+            for kind, tags, nodes in zip(*gmsh.model.mesh.getElements(dimension, entity), strict=True):
+                rows = np.asarray(nodes).reshape(len(tags), -1).tolist()
+                sizes = gmsh.model.mesh.getElementQualities(tags, "minDetJac")
+                for tag, row, size in zip(tags.tolist(), rows, sizes.tolist(), strict=True):
+                    found.cells[tag] = (int(kind), row, size)
+                    found.physicals[tag], found.partitions[tag], found.entities[tag] = groups, parts, own
+        for view in gmsh.view.getTags():
+            _, tags, values, _, _ = gmsh.view.getModelData(view, 0)
+            name = gmsh.view.option.getString(view, "Name")
+            found.views[name] = {
+                int(tag): list(map(float, row)) for tag, row in zip(tags, values, strict=True)
+            }
+        return found
+    finally:
+        gmsh.finalize()

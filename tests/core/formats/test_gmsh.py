@@ -22,7 +22,7 @@ def hexahedra_only() -> Sample:
     return grid(2, 3, 2)
 
 
-VERSIONS = [(2.2, 0), (2.2, 1), (4.1, 0), (4.1, 1)]
+VERSIONS = [(1, 0), (2.2, 0), (2.2, 1), (3, 0), (3, 1), (4.0, 0), (4.1, 0), (4.1, 1)]
 
 
 def _form(version: float, binary: int) -> list[tuple[str, float]]:
@@ -154,13 +154,13 @@ def test_R5_numbers_with_gaps_by_hand() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        ("2.2 0 8", "4.0 0 8", ["‘4.0’", "expected 2.2 or 4.1"]),
+        ("2.2 0 8", "5.0 0 8", ["‘5.0’", "expected 1, 2, 3, 4.0 or 4.1"]),
         ("2.2 0 8", "2.2 7 8", ["file type 7"]),
-        ("$Nodes\n8", "$Nodes\n9", ["line 18", "‘$EndNodes’", "36 numbers"]),
-        ("$Nodes\n8", "$Nodes\n7", ["line 17", "$EndNodes was expected"]),
+        ("33 1 1 0\n", "33 1 1\n", ["line 18", "‘$EndNodes’", "32 numbers"]),
+        ("$Nodes\n8", "$Nodes\n7", ["element 4 refers to node 1000000"]),
+        ("$EndNodes", "x\n$EndNodes", ["line 18", "‘x’", "$EndNodes was expected"]),
         ("$Nodes\n8", "$Nodes\n80000000000", ["line 9", "80000000000 nodes"]),
-        ("$Elements\n3", "$Elements\n4", ["4 rows"]),
-        ("$Elements\n3", "$Elements\n2", ["2 rows"]),
+        ("70 4 0 101 2 33 5", "70 4 0 101 2 33", ["does not fit"]),
         ("4 5 3 8 9 1 101", "4 5 3 8 9 1 102", ["element 4", "node 102"]),
         ("4 5 3 8 9 1 101", "4 999 3 8 9 1 101", ["does not fit"]),
         ("4 5 3 8 9 1 101", "4 5 x 8 9 1 101", ["line 22", "‘x’"]),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -21,8 +22,7 @@ ODD = [1 / 3, 1e-300, -1.7976931348623157e308, 123456789.123456789, -0.0, 5e-324
 
 def sample_mesh(sample: Sample) -> Mesh:
     mesh = read_bytes(legacy(unstructured_grid(sample), 51, True), "a mesh.vtk")
-    mesh.coordinates[:] = sample.points.T
-    return mesh
+    return replace(mesh, coordinates=sample.points.T)
 
 
 @pytest.mark.parametrize("format_id", ["vtk", "vtu"])

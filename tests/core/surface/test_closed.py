@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -111,14 +113,12 @@ def test_V1_far_from_the_origin_and_of_any_size(mode: str) -> None:
 @pytest.mark.parametrize("mode", MODES)
 def test_V1_flat_cells_get_normals(mode: str) -> None:
     """Cells and faces without area: the normal points from the cell's barycentre, and is always a number."""
-    flat = grid(2, 2, 2)
-    flat.coordinates[2] = 0
-    needle = grid(2, 1, 1)
-    needle.coordinates[1:] = 0
-    point = grid(1, 1, 1)
-    point.coordinates[:] = 3
+    flat = replace(flat := grid(2, 2, 2), coordinates=flat.coordinates * [[1], [1], [0]])
+    needle = replace(needle := grid(2, 1, 1), coordinates=needle.coordinates * [[1], [0], [0]])
+    point = replace(point := grid(1, 1, 1), coordinates=np.full_like(point.coordinates, 3))
     one_face = unit_cube()
-    one_face.coordinates[:, 4:] = [[0.5], [0.5], [1]]
+    apex = np.where(np.arange(8) < 4, one_face.coordinates, [[0.5], [0.5], [1]])
+    one_face = replace(one_face, coordinates=apex)
     for mesh in (flat, needle, point, one_face):
         surface = extract_surface(DrawnMesh(mesh), np.ones(mesh.cell_count, bool), mode)
         check_form(surface)

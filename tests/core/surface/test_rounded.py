@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import product
 
 import numpy as np
@@ -186,7 +187,9 @@ def test_V1_rounded_tetrahedron_is_the_same_from_every_corner() -> None:
     """A regular tetrahedron: however the cell repeats its corners, the surface has its symmetry."""
     mesh = split_grid("tetrahedron", 2)
     ids = np.unique(mesh.cells[0])
-    mesh.coordinates[:, ids] = np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]]).T
+    coordinates = mesh.coordinates.copy()
+    coordinates[:, ids] = np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]]).T
+    mesh = replace(mesh, coordinates=coordinates)
     shown = np.zeros(mesh.cell_count, bool)
     shown[0] = True
     surface = extract_surface(DrawnMesh(mesh), shown, "rounded", radius=0.2)
