@@ -111,7 +111,11 @@ class Reader:
             raise text.error(
                 f"CELL_TYPES has {len(self.types)} entries, expected one for each of {len(sizes)} cells"
             )
-        kept = add_cells(self.out, Rows(ids, starts, sizes, self.types, error_at))
+        if self.out.coordinates is None:
+            raise text.error("the file ends before its section POINTS")
+        rows = Rows(ids, starts, sizes, self.types, error_at)
+        kept = add_cells(self.out, rows)
+        rows.orientation.settle(self.out)
         self.attributes.finish(len(sizes), kept)
         return self.out.mesh()
 
