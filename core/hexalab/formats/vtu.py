@@ -1,4 +1,4 @@
-"""VTK XML `.vtu` (SPEC R4): ascii, base64 and appended arrays, zlib or not, one or several pieces."""
+"""VTK XML `.vtu` (SPEC R4): ascii, base64 and appended arrays, compressed or not, one or several pieces."""
 
 from __future__ import annotations
 
