@@ -13,6 +13,7 @@ from .cell_orientation import Orientation
 from .file import File
 from .tokens import quoted
 from .vtk_cells import Rows, add_cells, spans
+from .vtk_datasets import refusal
 from .vtk_types import POLYHEDRON
 from .vtu_arrays import Arrays
 from .vtu_faces import FacesOfPiece
@@ -36,10 +37,7 @@ class Reader:
             raise file.error("expected the element VTKFile", line_at=0)
         kind = top.attributes.get("type", "")
         if kind != "UnstructuredGrid":
-            raise file.error(
-                f"the file holds {quoted(kind)}, expected UnstructuredGrid, a mesh of volumetric cells",
-                line_at=top.begin,
-            )
+            raise file.error(refusal(kind, "UnstructuredGrid"), line_at=top.begin)
         grid = top.first("UnstructuredGrid")
         self.pieces = grid.all("Piece") if grid else []
         if not self.pieces:

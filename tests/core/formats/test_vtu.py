@@ -175,6 +175,10 @@ GOOD = file(piece(CUBE, "0 1 2 3 4 5 6 7", 8, 8))
     ("old", "new", "words"),
     [
         (b'type="UnstructuredGrid"', b'type="PolyData"', ["‘PolyData’", "expected UnstructuredGrid"]),
+        (b'type="UnstructuredGrid"', b'type="StructuredGrid"', ["a structured grid", "Append Datasets"]),
+        (b'type="UnstructuredGrid"', b'type="PUnstructuredGrid"', ["index of the parts", "open the .vtu files"]),
+        (b'type="UnstructuredGrid"', b'type="vtkMultiBlockDataSet"', ["index of several", "open the .vtu files"]),
+        (b'type="UnstructuredGrid"', b'type="PImageData"', ["an image", "Append Datasets"]),
         (b"<VTKFile", b"<XYZFile", ["VTKFile"]),
         (b"</VTKFile>", b"", ["inside ‘VTKFile’", "cut short"]),
         (b"</Cells>", b"", ["‘Piece’", "‘Cells’"]),
