@@ -72,10 +72,10 @@ class Orientation:
             turned = np.where(agreeing, broken > kept, signs < 0)
             block.corners[:, turned] = block.corners[list(MIRROR[block.kind])][:, turned]
         if broken > kept:
-            way, other = ("out of", "into") if self.inwards else ("into", "out of")
+            way = "out of" if self.inwards else "into"
             out.note(
-                f"Of {broken} cells the normals of the {self.faces} point {way} the cell, of {kept} {other} it, as the "
-                "format wants it: all cells were turned round, by the majority."
+                f"The normals of {self.faces} point {way} most cells ({broken} of {broken + kept}), against the format's "
+                "convention: all cells were turned round."
             )
         if contrary:
             out.note(

@@ -210,8 +210,8 @@ def check_sizes(out: Assembly, rows: Rows, cell_type: CellType, number: int, whi
         count = len(which) if rows.uniform else int(odd.sum())
         first = int(sizes[np.argmax(odd)])
         out.note(
-            f"{count} cells are declared as type {number} ({cell_type.name}, {cell_type.size} nodes) but have "
-            f"another number of nodes ({first}): their first {corners} are taken as the corners."
+            f"Cells that are declared as type {number} ({cell_type.name}, {cell_type.size} nodes) and have another "
+            f"number of nodes ({first}): {count}. Their first {corners} are taken as the corners."
         )
     elif (sizes > corners).any():
         out.note(f"Cells of higher order ({cell_type.name}) are shown by their corners.")

@@ -84,7 +84,7 @@ def test_R5_the_majority_tells_whether_normals_point_inwards(inwards: bool, inve
     turned = (2 * inverted > len(truth)) == inwards
     assert len(mesh.notes) == turned
     if turned:
-        assert "normals of the half-faces point out of" in mesh.notes[0]
+        assert "normals of half-faces point out of" in mesh.notes[0]
 
 
 def test_R5_a_tie_is_read_by_the_convention_of_the_format() -> None:

@@ -119,9 +119,9 @@ def test_R3_a_cube_whose_nodes_stand_in_the_order_of_a_lattice() -> None:
     ("turns", "signs", "told"),
     [
         (lambda cell, face: False, [1, 1, 1], None),
-        (lambda cell, face: True, [1, 1, 1], "Of 3 cells the normals of the faces point into"),
+        (lambda cell, face: True, [1, 1, 1], "faces point into most cells (3 of 3)"),
         (lambda cell, face: cell == 1, [1, -1, 1], None),
-        (lambda cell, face: cell != 1, [1, -1, 1], "Of 2 cells the normals of the faces point into"),
+        (lambda cell, face: cell != 1, [1, -1, 1], "faces point into most cells (2 of 3)"),
         (lambda cell, face: cell == 1 and face < 2, [1, 1, 1], "some from outside: 1."),
         (lambda cell, face: face % 2, [1, 1, 1], "some from outside: 3."),
     ],

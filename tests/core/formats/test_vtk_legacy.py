@@ -191,7 +191,7 @@ def test_R3_metadata_by_hand() -> None:
     ("data", "words"),
     [
         (HEAD + b"ASCII\nDATASET POLYDATA\nPOINTS 0 float\n", ["line 4", "POLYDATA", "surface"]),
-        (HEAD + b"ASCII\nDATASET STRUCTURED_POINTS\n", ["STRUCTURED_POINTS", "an image", "UNSTRUCTURED_GRID", "Append"]),
+        (HEAD + b"ASCII\nDATASET STRUCTURED_POINTS\n", ["STRUCTURED_POINTS", "UNSTRUCTURED_GRID", "Append"]),
         (HEAD + b"ASCII\nDATASET STRUCTURED_GRID\n", ["a structured grid", "ParaView", "save it as .vtu"]),
         (HEAD + b"ASCII\nDATASET RECTILINEAR_GRID\n", ["a rectilinear grid", "ParaView", "save it as .vtu"]),
         (b"# vtk DataFile Version 3.0\nx\nTEXT\nDATASET POLYDATA\n", ["ASCII or BINARY"]),
