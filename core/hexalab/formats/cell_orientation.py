@@ -74,8 +74,8 @@ class Orientation:
         if broken > kept:
             way = "out of" if self.inwards else "into"
             out.note(
-                f"The normals of {self.faces} point {way} most cells ({broken} of {broken + kept}), against the format's "
-                "convention: all cells were turned round."
+                f"The normals of {self.faces} point {way} most cells ({broken} of {broken + kept}), against the "
+                "format's convention: all cells were turned round."
             )
         if contrary:
             out.note(
