@@ -108,6 +108,7 @@ class Reader:
         rows = Rows(ids, starts, sizes, self.types, error_at)
         kept = add_cells(self.out, rows)
         rows.orientation.settle(self.out)
+        rows.wedges.settle(self.out)
         self.attributes.finish(len(sizes), kept)
         return self.out.mesh()
 

@@ -15,6 +15,7 @@ from .tokens import quoted
 from .vtk_cells import Rows, add_cells, spans
 from .vtk_datasets import refusal
 from .vtk_types import POLYHEDRON
+from .vtk_wedges import ChangedWedges
 from .vtu_arrays import Arrays
 from .vtu_faces import FacesOfPiece
 from .xml_tags import Element, parse
@@ -45,6 +46,7 @@ class Reader:
         self.arrays = Arrays(file, top, top.first("AppendedData"))
         self.vertex_count = 0
         self.orientation = Orientation(inwards=False, faces="faces")
+        self.wedges = ChangedWedges()
 
     def read(self) -> Mesh:
         """Read the pieces and join them, their vertices and cells one after the other.
@@ -74,6 +76,7 @@ class Reader:
             self.out.point_data = joined([points for points, _ in data])
             self.out.cell_data = joined([cells for _, cells in data])
         self.orientation.settle(self.out)
+        self.wedges.settle(self.out)
         return self.out.mesh()
 
     def count(self, piece: Element, name: str) -> int:
@@ -129,7 +132,9 @@ class Reader:
         starts, sizes = spans(offsets, len(ids), error_at)
         part = Assembly(self.file, "vtu", points, notes=self.out.notes, left_out=self.out.left_out)
         faces = FacesOfPiece(self.arrays, cells, count).loops if (types == POLYHEDRON).any() else None
-        kept = add_cells(part, Rows(ids, starts, sizes, types, error_at, self.orientation, faces))
+        kept = add_cells(
+            part, Rows(ids, starts, sizes, types, error_at, self.orientation, self.wedges, faces)
+        )
         first_cell = sum(block.corners.shape[1] for block in self.out.blocks)
         for block in part.blocks:
             self.out.add_piece(block, points.shape[1], self.vertex_count, first_cell)

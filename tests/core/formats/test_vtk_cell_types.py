@@ -179,3 +179,15 @@ def test_R3_of_more_nodes_than_the_type_has_the_first_are_the_corners(number: in
 def test_R3_a_quadratic_hexahedron_called_a_linear_one() -> None:
     mesh = read(CASES / "vtk-type12-of-20.vtk")
     assert mesh.cells.tolist() == [list(range(8))] and "(20)" in mesh.notes[0]
+
+
+@pytest.mark.parametrize("number", [13, 26])
+@pytest.mark.parametrize("mirrored", [False, True])
+def test_R3_wedges_that_are_all_inverted_may_be_numbered_as_vtk_does_since_9_7(
+    tmp_path: Path, number: int, mirrored: bool
+) -> None:
+    grid = cells_of_source(number, 1, mirrored)
+    for data, name in ((xml(grid, tmp_path / "x.vtu"), "x.vtu"), (legacy(grid, 51, True), "x.vtk")):
+        notes = [note for note in read_bytes(data, name).notes if "VTK 9.7" in note]
+        assert len(notes) == mirrored
+        assert not notes or "(2)" in notes[0]
