@@ -1,7 +1,9 @@
 """OpenVolumeMesh `.ovm`, ASCII (SPEC R5): hexahedra and other kinds are rebuilt from their half-faces.
 
-A half-edge or half-face is an edge or face and a side: `2 * id + side`. The half-faces of a cell are seen
-counter-clockwise from outside (OpenVolumeMesh's HexahedralMeshTopologyKernel).
+A half-edge or half-face is an edge or face and a side: `2 * id + side`. The normals of a cell's half-faces point into
+the cell (OpenVolumeMesh's first tutorial, the cells that its kernels and its mesh generator make). Files of the other
+convention are as common (its own hand-written Cube_with_props.ovm, what cinolib writes), so that the majority of a
+file's cells decides.
 """
 
 from __future__ import annotations
@@ -12,12 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import Array
-from ..cells import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
+from ..cells import KINDS
 from ..errors import MeshReadError
 from ..mesh import Mesh
 from .assembly import Assembly, CellBlock, check_finite, free_name
+from .cell_orientation import Orientation
 from .file import File
-from .half_faces import rebuilt
+from .half_faces import polygons, rebuild, rows_of
 from .ids import within_int32
 from .row_chain import COUNTED, row_starts
 from .text import Text
@@ -27,14 +30,6 @@ COMPONENTS = dict.fromkeys(
     ("float", "double", "int", "uint", "unsigned_int", "short", "long", "bool", "char", "uchar"), 1
 ) | {f"vec{size}{code}": size for size in (2, 3, 4) for code in "fdi"}
 """Numbers in a value of a property's type."""
-
-SHAPES = (
-    (HEXAHEDRON, 6, {4: 6}),
-    (WEDGE, 5, {3: 2, 4: 3}),
-    (PYRAMID, 5, {3: 4, 4: 1}),
-    (TETRAHEDRON, 4, {3: 4}),
-)
-"""Kind, number of faces, how many of them have so many corners."""
 
 
 def read(file: File) -> Mesh:
@@ -50,6 +45,11 @@ class Reader:
         self.out = Assembly(file, "ovm")
         if text.word().upper() != b"OVM":
             raise text.error("expected OVM ASCII on the first line", 0)
+        if text.peek().lower() == b"vertices":  # as in OpenVolumeMesh's own NonManifold.ovm
+            self.out.note(
+                "The first line does not say whether the file is ASCII or binary: it is read as ASCII."
+            )
+            return
         form = text.word()
         if form.upper() != b"ASCII":
             raise text.error(f"the file is in the form {quoted(form)}, expected ASCII")
@@ -135,28 +135,24 @@ class Reader:
         counts: Array,
     ) -> NDArray[np.int8]:
         """Add the cells kind by kind; returns the kind of each, -1 for what is left out."""
-        kinds = np.full(len(counts), -1, dtype=np.int8)
-        corners: dict[int, Array] = {}
-        for kind, face_count, shape in SHAPES:
-            which = np.flatnonzero(counts == face_count)
-            if not len(which):
-                continue
-            faces = half_faces[starts[which][:, None] + np.arange(face_count)]
-            found = sizes[faces >> 1]
-            fits = np.ones(len(which), dtype=bool)
-            for size, number in shape.items():
-                fits &= (found == size).sum(axis=1) == number
-            which, faces = which[fits], faces[fits]
-            own, good = rebuilt(kind, faces, origins, face_starts, sizes)
-            kinds[which[good]] = kind
-            corners[kind] = own[:, good]
-        self.out.leave_out("polyhedra", int((kinds < 0).sum()))
-        place = np.cumsum(kinds >= 0) - 1
-        for kind, own in corners.items():
-            self.out.blocks.append(
-                CellBlock(kind, own, lambda m, *_: self.text.error(m), cells=place[kinds == kind])
-            )
-        return kinds
+        assert self.out.coordinates is not None
+
+        def loops_of(part: slice) -> Array:
+            faces = rows_of(half_faces ^ 1, starts[part], counts[part])  # normals point inwards
+            return polygons(faces, origins, face_starts, sizes)
+
+        cells = rebuild(loops_of, len(counts))
+        orientation = Orientation(inwards=True, faces="half-faces")
+        place = np.cumsum(cells.kinds >= 0) - 1
+        for kind in range(len(KINDS)):
+            which, own, agreeing = cells.of(kind)
+            if len(which):
+                block = CellBlock(kind, own, lambda m, *_: self.text.error(m), cells=place[which])
+                orientation.add(block, agreeing, self.out.coordinates)
+                self.out.blocks.append(block)
+        orientation.settle(self.out)
+        self.out.leave_out("polyhedra", int((cells.kinds < 0).sum()))
+        return cells.kinds
 
     def properties(self, vertex_count: int, cell_count: int, kept: Array) -> None:
         """Read `VProp type "name"` and `CProp`, each followed by one value per entry; skip the rest."""

@@ -1,25 +1,30 @@
 """VTK's rows of cells become blocks of our kinds; the same for `.vtk` and `.vtu`.
 
-Three published habits are met here: rows of eight corners whose declared type has another number (eleven
-files of Symmetric Moving Frames say tetrahedron), files without types, and voxels written in the order of
-hexahedra.
+Published habits are met here: rows of eight corners whose declared type has another number (eleven files of Symmetric
+Moving Frames say tetrahedron), rows of more nodes than their type has, files without types, and voxels written in the
+order of hexahedra.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import CHUNK, Array, Floats, Ids
-from ..cells import HEXAHEDRON
+from ..cells import KINDS
 from ..errors import MeshReadError
 from .assembly import Assembly, CellBlock, check_ids
 from .byte_order import native, stretches
+from .cell_orientation import Orientation
+from .half_faces import Rebuilt, rebuild
 from .ids import as_int32, within_int32
 from .row_chain import ErrorAt
-from .vtk_types import CELL_TYPES, HEXAHEDRON_TYPE, VOXEL, CellType
+from .vtk_polyhedra import stream_loops
+from .vtk_types import CELL_TYPES, HEXAHEDRON_TYPE, MAY_HAVE_EIGHT, POLYHEDRON, VOXEL, CellType
+from .vtk_wedges import CHANGED_TYPES, ChangedWedges
 
 VOXEL_SAMPLE = 4096
 """Voxels that tell in which order all of them were written."""
@@ -41,6 +46,12 @@ class Rows:
         VTK's cell types.
     error_at : callable
         `error_at(message, index)` makes the error for `ids[index]`.
+    orientation : Orientation
+        Gets the cells that are rebuilt from polyhedra; to be settled when the whole file is read.
+    wedges : ChangedWedges
+        Gets the wedges whose numbering has changed; to be settled, too.
+    faces : callable, optional
+        The loops of the faces of polyhedra, given their rows; by default the rows themselves are streams of faces.
     """
 
     ids: Array
@@ -48,6 +59,9 @@ class Rows:
     sizes: Array
     types: Array | None
     error_at: ErrorAt
+    orientation: Orientation = field(default_factory=lambda: Orientation(inwards=False, faces="faces"))
+    wedges: ChangedWedges = field(default_factory=ChangedWedges)
+    faces: Callable[[Array], Array] | None = None
 
     @property
     def uniform(self) -> int:
@@ -59,6 +73,13 @@ class Rows:
         if isinstance(self.starts, range):
             return self.starts.start + self.starts.step * which
         return np.asarray(self.starts[which])
+
+    def loops_of(self, which: Array) -> Array:
+        """The (m, 6, 4) loops of the faces of the polyhedra `which`; see `half_faces.rebuild`."""
+        if self.faces is not None:
+            return self.faces(which)
+        starts = np.asarray(self.begins(which))
+        return stream_loops(self.ids, starts, starts + self.sizes[which])
 
     def all_of_type(self, number: int) -> bool:
         """Whether every row is declared to be of the type."""
@@ -80,28 +101,50 @@ def add_cells(out: Assembly, rows: Rows) -> NDArray[np.intp] | None:
         return None
     types = declared_types(out, rows)
     chosen = {number: np.flatnonzero(types == number) for number in np.unique(types).tolist()}
-    kept_numbers = [n for n in chosen if n in CELL_TYPES and CELL_TYPES[n].kind is not None]
-    for number in chosen:
-        if number not in kept_numbers:
-            name = CELL_TYPES[number].name if number in CELL_TYPES else f"cells of type {number}"
-            out.leave_out(name, len(chosen[number]))
-    everything = len(kept_numbers) == len(chosen)
-    kept = (
-        None
-        if everything
-        else np.sort(np.concatenate([chosen[n] for n in kept_numbers] or [np.empty(0, np.intp)]))
-    )
-    for number in kept_numbers:
-        which = chosen[number]
-        places: Array | None = None
-        if len(kept_numbers) > 1:
-            places = which if kept is None else np.searchsorted(kept, which)
-        add_type(out, rows, CELL_TYPES[number], number, which, places)
+    found = {number: which for number, which in chosen.items() if known_kind(number) is not None}
+    solid = None
+    if POLYHEDRON in chosen:
+        solid = rebuild(lambda part: rows.loops_of(chosen[POLYHEDRON][part]), len(chosen[POLYHEDRON]))
+        found[POLYHEDRON] = chosen[POLYHEDRON][solid.kinds >= 0]
+    for number, which in chosen.items():
+        name = CELL_TYPES[number].name if number in CELL_TYPES else f"cells of type {number}"
+        out.leave_out(name, len(which) - len(found.get(number, ())))
+    whole = sum(map(len, found.values())) == len(types)
+    kept = None if whole else np.sort(np.concatenate([np.empty(0, np.intp), *found.values()]))
+    for number in sorted(found):
+        which = found[number]
+        places = which if kept is None else np.searchsorted(kept, which)
+        if number == POLYHEDRON and solid is not None:
+            add_rebuilt(out, rows, solid, which, places)
+        else:
+            add_type(out, rows, CELL_TYPES[number], number, which, places if len(found) > 1 else None)
     return kept
 
 
+def known_kind(number: int) -> int | None:
+    """Index into KINDS of the cells of a type, None if it is not kept."""
+    return CELL_TYPES[number].kind if number in CELL_TYPES else None
+
+
+def add_rebuilt(out: Assembly, rows: Rows, solid: Rebuilt, which: Array, places: Array) -> None:
+    """Add the cells that were rebuilt from polyhedra, which are the rows `which`; `Rows.orientation` gets them too."""
+    assert out.coordinates is not None
+    order = np.cumsum(solid.kinds >= 0) - 1
+    for kind in range(len(KINDS)):
+        cells, own, agreeing = solid.of(kind)
+        if not len(cells):
+            continue
+
+        def locate(message: str, cell: int, _: int, own_rows: Array = which[order[cells]]) -> MeshReadError:
+            return rows.error_at(message, int(rows.begins(own_rows[cell : cell + 1])[0]))
+
+        block = CellBlock(kind, own, locate, cells=places[order[cells]])
+        rows.orientation.add(block, agreeing, out.coordinates)
+        out.blocks.append(block)
+
+
 def declared_types(out: Assembly, rows: Rows) -> Array:
-    """(C,) types, with the rows of eight that are called something else set to hexahedron."""
+    """(C,) types; rows of eight become hexahedra where the declared type cannot have eight nodes."""
     if rows.types is None:
         out.note(
             "The cells have no types: rows of 8, 6, 5 and 4 corners are taken as hexahedra, wedges, pyramids "
@@ -113,19 +156,8 @@ def declared_types(out: Assembly, rows: Rows) -> Array:
         return guessed
     types: Array = native(rows.types)
     eight = rows.sizes == 8
-    volumetric = False
-    doubtful = []
     for number in np.unique(types[eight]).tolist():
-        row = CELL_TYPES.get(number)
-        if row is not None and row.kind == HEXAHEDRON and row.size in (8, 0):
-            volumetric = True
-        elif row is not None and row.kind is None and row.size in (8, 0) and number != 0:
-            doubtful.append(number)
-        else:
-            types = renamed(out, types, eight, number)
-    others = [n for n in np.unique(types).tolist() if n in CELL_TYPES and CELL_TYPES[n].kind is not None]
-    if not volumetric and not others:
-        for number in doubtful:
+        if number not in MAY_HAVE_EIGHT:
             types = renamed(out, types, eight, number)
     return types
 
@@ -146,18 +178,7 @@ def add_type(
 ) -> None:
     """Add the rows `which`, all of one type."""
     assert cell_type.kind is not None
-    sizes = rows.sizes[which] if not rows.uniform else np.array([rows.uniform])
-    bad = sizes != cell_type.size if cell_type.size else sizes < len(cell_type.order)
-    if bad.any():
-        first = int(np.argmax(bad))
-        expected = f"{cell_type.size}" if cell_type.size else f"at least {len(cell_type.order)}"
-        raise rows.error_at(
-            f"cell {int(which[first])} is declared as type {number} ({cell_type.name}) but has "
-            f"{int(sizes[first])} corners, expected {expected}",
-            int(rows.starts[which[first]]),
-        )
-    if cell_type.higher:
-        out.note(f"Cells of higher order ({cell_type.name}) are shown by their corners.")
+    check_sizes(out, rows, cell_type, number, which)
     order = cell_type.order
 
     def locate(message: str, cell: int, corner: int) -> MeshReadError:
@@ -169,7 +190,37 @@ def add_type(
         if written_as_hexahedra(block.corners, out.coordinates):
             block.corners = block.corners[[0, 1, 3, 2, 4, 5, 7, 6]]
             out.note("The voxels have their corners in the order of hexahedra and were read in that order.")
+    if number in CHANGED_TYPES and out.coordinates is not None:
+        rows.wedges.add(block, out.coordinates)
     out.blocks.append(block)
+
+
+def check_sizes(out: Assembly, rows: Rows, cell_type: CellType, number: int, which: Array | range) -> None:
+    """Raise MeshReadError where a row has too few nodes for its corners; tell of nodes that are passed over.
+
+    Corners stand first in every type. So a row that has more nodes than its type is read as VTK reads it: the
+    type's own come first (a quadratic hexahedron that is declared as a linear one).
+    """
+    sizes = rows.sizes[which] if not rows.uniform else np.array([rows.uniform])
+    corners = len(cell_type.order)
+    if (sizes < corners).any():
+        first = int(np.argmax(sizes < corners))
+        expected = f"{cell_type.size}" if cell_type.size else f"at least {corners}"
+        raise rows.error_at(
+            f"cell {int(which[first])} is declared as type {number} ({cell_type.name}) but has "
+            f"{int(sizes[first])} corners, expected {expected}",
+            int(rows.starts[which[first]]),
+        )
+    odd = sizes != cell_type.size if cell_type.size else np.zeros(1, dtype=bool)
+    if odd.any():
+        count = len(which) if rows.uniform else int(odd.sum())
+        first = int(sizes[np.argmax(odd)])
+        out.note(
+            f"Cells that are declared as type {number} ({cell_type.name}, {cell_type.size} nodes) and have another "
+            f"number of nodes ({first}): {count}. Their first {corners} are taken as the corners."
+        )
+    elif (sizes > corners).any():
+        out.note(f"Cells of higher order ({cell_type.name}) are shown by their corners.")
 
 
 def gathered(rows: Rows, which: Array | range, order: tuple[int, ...]) -> Ids:

@@ -22,18 +22,10 @@ from .text import Text
 from .tokens import NUMBER, quoted
 from .vtk_attributes import SECTIONS, Attributes
 from .vtk_cells import Rows, add_cells, spans
+from .vtk_datasets import refusal
 from .vtk_values import Values
 
 HEADER = re.compile(rb"\s*#\s*vtk\s+DataFile[^\r\n]*\r?\n", re.I)
-VOLUMES = "expected UNSTRUCTURED_GRID, a mesh of volumetric cells"
-SURFACES = {
-    "polydata": "surface polygons",
-    "structured_points": "an image",
-    "structured_grid": "a structured grid",
-    "rectilinear_grid": "a rectilinear grid",
-    "field": "a table",
-    "table": "a table",
-}
 
 
 def read(file: File) -> Mesh:
@@ -111,7 +103,12 @@ class Reader:
             raise text.error(
                 f"CELL_TYPES has {len(self.types)} entries, expected one for each of {len(sizes)} cells"
             )
-        kept = add_cells(self.out, Rows(ids, starts, sizes, self.types, error_at))
+        if self.out.coordinates is None:
+            raise text.error("the file ends before its section POINTS")
+        rows = Rows(ids, starts, sizes, self.types, error_at)
+        kept = add_cells(self.out, rows)
+        rows.orientation.settle(self.out)
+        rows.wedges.settle(self.out)
         self.attributes.finish(len(sizes), kept)
         return self.out.mesh()
 
@@ -120,8 +117,7 @@ class Reader:
         word = self.text.word()
         name = word.decode("latin-1").lower()
         if name != "unstructured_grid":
-            what = f" ({SURFACES[name]})" if name in SURFACES else ""
-            raise self.text.error(f"the file holds {quoted(word)}{what}, {VOLUMES}")
+            raise self.text.error(refusal(word.decode("latin-1"), "UNSTRUCTURED_GRID"))
 
     def points(self) -> None:
         """Read POINTS, of any number type, into (3, V) float64; what isn't finite is an error."""

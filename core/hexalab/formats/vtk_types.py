@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..cells import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
+from .assembly import WEDGE_OF_OTHERS
 
 
 @dataclass(frozen=True)
@@ -21,24 +22,25 @@ class CellType:
         Index into KINDS if the cell is kept; its own corners then stand first.
     order : tuple of int
         Which of the row's corners are the kind's own, in its order.
-    higher : bool
-        Whether it has more nodes than corners.
     """
 
     name: str
     size: int
     kind: int | None = None
     order: tuple[int, ...] = ()
-    higher: bool = False
 
 
 def _kept(name: str, size: int, kind: int) -> CellType:
-    corners = (8, 6, 5, 4)[kind]
-    return CellType(name, size, kind, tuple(range(corners)), size != corners)
+    return CellType(name, size, kind, tuple(range((8, 6, 5, 4)[kind])))
+
+
+def _turned_wedge(name: str, size: int) -> CellType:
+    return CellType(name, size, WEDGE, WEDGE_OF_OTHERS)
 
 
 VOXEL = 11
 HEXAHEDRON_TYPE = 12
+POLYHEDRON = 42
 
 CELL_TYPES = {
     0: CellType("empty cells", 0),
@@ -68,30 +70,42 @@ CELL_TYPES = {
     28: CellType("biquadratic quadrilaterals", 9),
     29: _kept("triquadratic hexahedra", 27, HEXAHEDRON),
     30: CellType("quadratic-linear quadrilaterals", 6),
-    31: _kept("quadratic-linear wedges", 12, WEDGE),
-    32: _kept("biquadratic wedges", 18, WEDGE),
+    31: _turned_wedge("quadratic-linear wedges", 12),
+    32: _turned_wedge("biquadratic wedges", 18),
     33: _kept("biquadratic hexahedra", 24, HEXAHEDRON),
     34: CellType("biquadratic triangles", 7),
     35: CellType("cubic lines", 4),
     36: CellType("quadratic polygons", 0),
     37: _kept("triquadratic pyramids", 19, PYRAMID),
     41: CellType("convex point sets", 0),
-    42: CellType("polyhedra", 0),
+    POLYHEDRON: CellType("polyhedra", 0),
     68: CellType("Lagrange curves", 0),
     69: CellType("Lagrange triangles", 0),
     70: CellType("Lagrange quadrilaterals", 0),
     71: _kept("Lagrange tetrahedra", 0, TETRAHEDRON),
     72: _kept("Lagrange hexahedra", 0, HEXAHEDRON),
-    73: _kept("Lagrange wedges", 0, WEDGE),
+    73: _turned_wedge("Lagrange wedges", 0),
     74: _kept("Lagrange pyramids", 0, PYRAMID),
     75: CellType("Bezier curves", 0),
     76: CellType("Bezier triangles", 0),
     77: CellType("Bezier quadrilaterals", 0),
     78: _kept("Bezier tetrahedra", 0, TETRAHEDRON),
     79: _kept("Bezier hexahedra", 0, HEXAHEDRON),
-    80: _kept("Bezier wedges", 0, WEDGE),
+    80: _turned_wedge("Bezier wedges", 0),
     81: _kept("Bezier pyramids", 0, PYRAMID),
 }
+
+"""VTK's cell types.
+
+Up to VTK 9.6 the normal of 0 1 2 points away from 3 4 5 in wedges of types 13 and 26, and towards it in types 31, 32,
+73 and 80: so say vtkCellSizeFilter, vtkCellTypeSource, the face lists of the last four and the classes' documentation.
+VTK 9.7 lets it point towards 3 4 5 in all of them; files do not tell which release they were written for.
+"""
+
+MAY_HAVE_EIGHT = frozenset(
+    {2, 4, 6, 7, VOXEL, HEXAHEDRON_TYPE, 23, 36, 41, POLYHEDRON, 68, 70, 72, 75, 77, 79}
+)
+"""Types whose cells may have eight nodes; a row of eight that is declared as another one is mislabelled."""
 
 NUMBER_TYPES = {
     "char": "i1",

@@ -1,4 +1,4 @@
-"""VTK XML `.vtu` (SPEC R4): ascii, base64 and appended arrays, zlib or not, one or several pieces."""
+"""VTK XML `.vtu` (SPEC R4): ascii, base64 and appended arrays, compressed or not, one or several pieces."""
 
 from __future__ import annotations
 
@@ -9,10 +9,15 @@ from ..errors import MeshReadError
 from ..mesh import Mesh
 from .assembly import Assembly, check_finite, free_name
 from .byte_order import as_coordinates, native
+from .cell_orientation import Orientation
 from .file import File
 from .tokens import quoted
 from .vtk_cells import Rows, add_cells, spans
+from .vtk_datasets import refusal
+from .vtk_types import POLYHEDRON
+from .vtk_wedges import ChangedWedges
 from .vtu_arrays import Arrays
+from .vtu_faces import FacesOfPiece
 from .xml_tags import Element, parse
 
 
@@ -33,16 +38,15 @@ class Reader:
             raise file.error("expected the element VTKFile", line_at=0)
         kind = top.attributes.get("type", "")
         if kind != "UnstructuredGrid":
-            raise file.error(
-                f"the file holds {quoted(kind)}, expected UnstructuredGrid, a mesh of volumetric cells",
-                line_at=top.begin,
-            )
+            raise file.error(refusal(kind, "UnstructuredGrid"), line_at=top.begin)
         grid = top.first("UnstructuredGrid")
         self.pieces = grid.all("Piece") if grid else []
         if not self.pieces:
             raise file.error("the file has no element Piece", line_at=top.begin)
         self.arrays = Arrays(file, top, top.first("AppendedData"))
         self.vertex_count = 0
+        self.orientation = Orientation(inwards=False, faces="faces")
+        self.wedges = ChangedWedges()
 
     def read(self) -> Mesh:
         """Read the pieces and join them, their vertices and cells one after the other.
@@ -71,6 +75,8 @@ class Reader:
             self.out.coordinates = np.concatenate(coordinates, axis=1)
             self.out.point_data = joined([points for points, _ in data])
             self.out.cell_data = joined([cells for _, cells in data])
+        self.orientation.settle(self.out)
+        self.wedges.settle(self.out)
         return self.out.mesh()
 
     def count(self, piece: Element, name: str) -> int:
@@ -125,7 +131,10 @@ class Reader:
         offsets = np.concatenate([np.zeros(1, np.int64), ends.astype(np.int64)])
         starts, sizes = spans(offsets, len(ids), error_at)
         part = Assembly(self.file, "vtu", points, notes=self.out.notes, left_out=self.out.left_out)
-        kept = add_cells(part, Rows(ids, starts, sizes, types, error_at))
+        faces = FacesOfPiece(self.arrays, cells, count).loops if (types == POLYHEDRON).any() else None
+        kept = add_cells(
+            part, Rows(ids, starts, sizes, types, error_at, self.orientation, self.wedges, faces)
+        )
         first_cell = sum(block.corners.shape[1] for block in self.out.blocks)
         for block in part.blocks:
             self.out.add_piece(block, points.shape[1], self.vertex_count, first_cell)

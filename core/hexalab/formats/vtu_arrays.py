@@ -7,7 +7,6 @@ follow) or, compressed, of 3 + n (blocks, size of a block, size of the last if s
 from __future__ import annotations
 
 import binascii
-import zlib
 
 import numpy as np
 
@@ -17,6 +16,7 @@ from .container import inflation_bound
 from .file import File
 from .text import Text
 from .tokens import quoted
+from .vtu_compression import Damaged, Inflate, Unreadable, inflate_zlib, inflater
 from .xml_tags import Element
 
 TYPES = {
@@ -31,7 +31,6 @@ TYPES = {
     "Float32": "f4",
     "Float64": "f8",
 }
-ZLIB = "vtkZLibDataCompressor"
 
 
 class Arrays:
@@ -59,6 +58,7 @@ class Arrays:
             raise self.error(top, f"header_type is {quoted(header)}, expected UInt32 or UInt64")
         self.header = np.dtype(self.order + TYPES[header])
         self.compressor = given.get("compressor", "")
+        self.inflate: Inflate = inflate_zlib
         self.appended_base64 = False
         self.appended_begin = -1
         if appended is not None:
@@ -88,10 +88,12 @@ class Arrays:
         form = element.attributes.get("format", "ascii")
         if form == "ascii":
             return self.ascii(element, dtype, what)
-        if self.compressor not in ("", ZLIB):
+        try:
+            self.inflate = inflater(self.compressor)
+        except Unreadable as error:
             raise self.error(
-                element, f"{what} are compressed by {quoted(self.compressor)}; only {ZLIB} can be read"
-            )
+                element, f"{what} are compressed by {quoted(self.compressor)}; {error}"
+            ) from None
         if form == "binary":
             data = self.decoded(self.file.data[element.begin : self.content_end(element)], element, what)
         elif form == "appended":
@@ -208,13 +210,12 @@ class Arrays:
                 raise self.error(
                     element, f"block {index + 1} of {what} should be {packed} bytes, but the data end"
                 )
-            stream = zlib.decompressobj()
             total += full
             if total > bound:
                 raise self.error(element, f"{what} inflate to more than {bound // 2**20} MB: refused")
             try:
-                block = stream.decompress(data[position : position + packed], full + 1)
-            except zlib.error as error:
+                block = self.inflate(bytes(data[position : position + packed]), full + 1)
+            except Damaged as error:
                 raise self.error(element, f"block {index + 1} of {what} is damaged ({error})") from None
             if len(block) != full:
                 found = "more" if len(block) > full else f"{len(block)}"

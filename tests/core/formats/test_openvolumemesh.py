@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 from hexalab.errors import MeshReadError
-from hexalab.formats import read_bytes
+from hexalab.formats import read, read_bytes
+from hexalab.quality import quality
 from tests.core.formats.samples import Sample, grid, mixed, signed_volumes
 
 OUTWARD = (
@@ -18,8 +21,14 @@ OUTWARD = (
 """Faces of VTK's cells, counter-clockwise seen from outside."""
 
 
-def ovm(sample: Sample, seed: int = 0, tail: str = "") -> str:
-    """The sample as an `.ovm` file; edges, faces and the half-faces of a cell begin anywhere and are shuffled."""
+CASES = Path(__file__).parent / "cases"
+
+
+def ovm(sample: Sample, seed: int = 0, tail: str = "", inwards: bool = False) -> str:
+    """The sample as an `.ovm` file; edges, faces and the half-faces of a cell begin anywhere and are shuffled.
+
+    Normals of half-faces point outwards, as cinolib writes them, or inwards, as OpenVolumeMesh wants them.
+    """
     random = np.random.default_rng(seed)
     edges: dict[tuple[int, int], int] = {}
     faces: dict[frozenset[int], tuple[int, tuple[int, ...]]] = {}
@@ -40,7 +49,7 @@ def ovm(sample: Sample, seed: int = 0, tail: str = "") -> str:
                 known = faces[frozenset(loop)] = (len(face_rows), loop)
                 face_rows.append(half_edges)
             same = any(loop[i:] + loop[:i] == known[1] for i in range(len(loop)))
-            half_faces.append(2 * known[0] + (0 if same else 1))
+            half_faces.append(2 * known[0] + (0 if same != inwards else 1))
         cell_rows.append(random.permutation(half_faces).tolist())
     lines = [
         "OVM ASCII",
@@ -52,6 +61,72 @@ def ovm(sample: Sample, seed: int = 0, tail: str = "") -> str:
     lines += ["Faces", str(len(face_rows)), *(" ".join(map(str, [len(row), *row])) for row in face_rows)]
     lines += ["Polyhedra", str(len(cell_rows)), *(" ".join(map(str, [len(row), *row])) for row in cell_rows)]
     return "\n".join(lines) + "\n" + tail
+
+
+@pytest.mark.parametrize("inwards", [False, True])
+@pytest.mark.parametrize("inverted", [0, 1, 4])
+def test_R5_the_majority_tells_whether_normals_point_inwards(inwards: bool, inverted: int) -> None:
+    sample = mixed()
+    cells = sample.cells[:4] + grid(3, 1, 1).cells
+    apart = [(kind, [i + len(sample.points) for i in ids]) for kind, ids in cells[4:]]
+    sample = Sample(np.concatenate([sample.points, np.round(grid(3, 1, 1).points) + 20]), cells[:4] + apart)
+    truth = np.array(sample_volumes(sample))
+    lines = ovm(sample, inwards=inwards).split("\n")
+    start = lines.index("Polyhedra") + 2
+    for row in range(start, start + inverted):
+        count, *half_faces = lines[row].split()
+        lines[row] = " ".join([count, *(str(int(h) ^ 1) for h in half_faces)])
+    truth[:inverted] *= -1
+    if 2 * inverted > len(truth):
+        truth *= -1
+    mesh = read_bytes("\n".join(lines).encode(), "x.ovm")
+    np.testing.assert_allclose(signed_volumes(mesh), truth, rtol=1e-12)
+    turned = (2 * inverted > len(truth)) == inwards
+    assert len(mesh.notes) == turned
+    if turned:
+        assert "normals of half-faces point out of" in mesh.notes[0]
+
+
+def test_R5_a_tie_is_read_by_the_convention_of_the_format() -> None:
+    sample = grid(2, 1, 1)
+    sample.points = np.round(sample.points)
+    lines = ovm(sample, inwards=True).split("\n")
+    count, *half_faces = lines[-2].split()
+    lines[-2] = " ".join([count, *(str(int(h) ^ 1) for h in half_faces)])
+    mesh = read_bytes("\n".join(lines).encode(), "x.ovm")
+    np.testing.assert_allclose(signed_volumes(mesh), [1, -1])
+
+
+def test_R5_one_cube_of_three_is_inverted() -> None:
+    mesh = read(CASES / "ovm-inward-one-inverted.ovm")
+    np.testing.assert_allclose(signed_volumes(mesh), [1, 1, -1])
+    assert quality(mesh, "scaled_jacobian").round(12).tolist() == [1, 1, -1]
+
+
+def test_R5_half_faces_of_both_sides_in_one_cell() -> None:
+    sample = grid(1, 1, 1)
+    sample.points = np.round(sample.points)
+    lines = ovm(sample).split("\n")
+    count, first, *half_faces = lines[-2].split()
+    lines[-2] = " ".join([count, str(int(first) ^ 1), *half_faces])
+    mesh = read_bytes("\n".join(lines).encode(), "x.ovm")
+    np.testing.assert_allclose(signed_volumes(mesh), 1)
+    assert "some from outside: 1" in mesh.notes[0]
+
+
+@pytest.mark.parametrize("case", ["ovm-ascii.ovm", "ovm-no-ascii.ovm"])
+def test_R5_a_header_without_the_word_ascii(case: str) -> None:
+    mesh = read(CASES / case)
+    np.testing.assert_allclose(signed_volumes(mesh), 1 / 6)
+    assert any("read as ASCII" in note for note in mesh.notes) == (case == "ovm-no-ascii.ovm")
+
+
+def test_R7_six_quadrilaterals_that_are_no_hexahedron_are_left_out() -> None:
+    lines = ovm(grid(2, 1, 1)).split("\n")
+    count, *half_faces = lines[-2].split()
+    lines[-2] = " ".join([count, half_faces[1], *half_faces[1:]])
+    mesh = read_bytes("\n".join(lines).encode(), "x.ovm")
+    assert mesh.cell_count == 1 and "1 polyhedra" in mesh.notes[-1]
 
 
 def same_cells(text: str, sample: Sample) -> None:
@@ -126,7 +201,7 @@ def test_R7_other_polyhedra_are_left_out() -> None:
     at = text.index("Polyhedra")
     text[at + 2] = "5 " + " ".join(text[at + 2].split()[1:6])
     mesh = read_bytes("\n".join(text).encode(), "x.ovm")
-    assert mesh.cell_count == 1 and "1 polyhedra" in mesh.notes[0]
+    assert mesh.cell_count == 1 and "1 polyhedra" in mesh.notes[-1]
 
 
 @pytest.mark.parametrize(

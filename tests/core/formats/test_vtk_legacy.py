@@ -132,7 +132,7 @@ def test_R3_voxels_written_in_hexahedral_order_are_found_out_by_volume() -> None
     assert any("voxels" in note for note in mesh.notes)
 
 
-@pytest.mark.parametrize("type", [10, 9, 0, 255, -3, 23, 7])
+@pytest.mark.parametrize("type", [10, 9, 0, 255, -3, 28, 71])
 def test_R3_eight_corners_called_something_else_are_a_hexahedron(type: int) -> None:
     mesh = read_bytes(cube(type=type), "x.vtk")
     check(mesh, UNIT_CUBE)
@@ -191,7 +191,9 @@ def test_R3_metadata_by_hand() -> None:
     ("data", "words"),
     [
         (HEAD + b"ASCII\nDATASET POLYDATA\nPOINTS 0 float\n", ["line 4", "POLYDATA", "surface"]),
-        (HEAD + b"ASCII\nDATASET STRUCTURED_POINTS\n", ["STRUCTURED_POINTS", "UNSTRUCTURED_GRID"]),
+        (HEAD + b"ASCII\nDATASET STRUCTURED_POINTS\n", ["STRUCTURED_POINTS", "UNSTRUCTURED_GRID", "Append"]),
+        (HEAD + b"ASCII\nDATASET STRUCTURED_GRID\n", ["a structured grid", "ParaView", "save it as .vtu"]),
+        (HEAD + b"ASCII\nDATASET RECTILINEAR_GRID\n", ["a rectilinear grid", "ParaView", "save it as .vtu"]),
         (b"# vtk DataFile Version 3.0\nx\nTEXT\nDATASET POLYDATA\n", ["ASCII or BINARY"]),
         (b"# vtk DataFile Version 3.0\n", ["ASCII or BINARY"]),
         (cube(type="x"), ["line 11", "‘x’", "CELL_TYPES"]),
@@ -219,7 +221,7 @@ def test_R3_metadata_by_hand() -> None:
         (cube().replace(b"1 0 1 1 1", b"1 0 nan 1 1"), ["line 7", "z coordinate of vertex 6 is nan"]),
         (cube().replace(b"1 0 1 1 1", b"1 0 1e400 1 1"), ["line 7", "inf"]),
         (cube().replace(b"double", b"string"), ["string"]),
-        (cube("CELLS 1 6\n5 0 1 2 3 4", type=10), ["tetrahedra", "has 5 corners", "expected 4"]),
+        (cube("CELLS 1 4\n3 0 1 2", type=10), ["tetrahedra", "has 3 corners", "expected 4"]),
         (cube("CELLS 1 4\n3 0 1 2", type=5), ["no volumetric cells", "1 triangles"]),
         (cube() + b"POINTS 1 float\n0 0 0\n", ["second section POINTS"]),
         (cube() + COUNTED.encode(), ["second section CELLS"]),

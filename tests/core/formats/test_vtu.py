@@ -6,7 +6,9 @@ import base64
 import itertools
 import re
 import struct
+import sys
 import zlib
+from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +21,10 @@ from tests.core.formats.vtk_files import insert, unstructured_grid, xml
 from tests.tools import tool
 
 meshio, vtk = tool("meshio"), tool("vtk")
+
+CASES = Path(__file__).parent / "cases"
+LZMA = ("LZMA",) if find_spec("_lzma") else ()
+"""Python in a browser has none."""
 
 MODES = [
     {"DataMode": "Ascii"},
@@ -33,11 +39,13 @@ MODES = [
 def test_R4_files_of_vtk(tmp_path: Path, mode: dict[str, str], make) -> None:
     sample = make()
     data = unstructured_grid(sample)
-    variants = itertools.product(("None", "ZLib"), ("UInt32", "UInt64"), ("LittleEndian", "BigEndian"))
+    variants = itertools.product(
+        ("None", "ZLib", "LZMA"), ("UInt32", "UInt64"), ("LittleEndian", "BigEndian")
+    )
     for compressor, header, order in variants:
         options = mode | {"CompressorType": compressor, "HeaderType": header, "ByteOrder": order}
         content = xml(data, tmp_path / "x.vtu", **options)
-        assert (b'compressor="vtkZLib' in content) == (compressor == "ZLib")
+        assert f'compressor="vtk{compressor}'.encode() in content or compressor == "None"
         mesh = read_bytes(content, "x.vtu")
         check(mesh, sample, 1e-15)
         assert set(mesh.cell_data) == set(sample.cell_data)
@@ -57,12 +65,20 @@ def test_R4_small_blocks(tmp_path: Path) -> None:
         check(read(tmp_path / "x.vtu"), sample, 1e-15)
 
 
-@pytest.mark.parametrize("compressor", ["LZ4", "LZMA"])
-def test_R4_other_compressors_are_refused_by_name(tmp_path: Path, compressor: str) -> None:
-    content = xml(unstructured_grid(mixed()), tmp_path / "x.vtu", CompressorType=compressor)
-    with pytest.raises(MeshReadError, match=f"vtk{compressor}DataCompressor"):
-        read_bytes(content, "x.vtu")
-    content = xml(unstructured_grid(mixed()), tmp_path / "x.vtu", CompressorType=compressor, DataMode="Ascii")
+def test_R4_lz4_is_refused_by_name_with_what_to_do(tmp_path: Path) -> None:
+    with pytest.raises(MeshReadError, match=r"vtkLZ4DataCompressor.*ZLib or none \(in ParaView"):
+        read(CASES / "vtu-lz4.vtu")
+    content = xml(unstructured_grid(mixed()), tmp_path / "x.vtu", CompressorType="LZ4", DataMode="Ascii")
+    check(read_bytes(content, "x.vtu"), mixed(), 1e-15)
+
+
+def test_R4_lzma_is_refused_by_name_where_python_has_none(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "lzma", None)
+    with pytest.raises(MeshReadError, match=r"vtkLZMADataCompressor.*no LZMA.*ZLib or none.*command line"):
+        read(CASES / "vtu-lzma.vtu")
+    content = xml(unstructured_grid(mixed()), tmp_path / "x.vtu", CompressorType="LZMA", DataMode="Ascii")
     check(read_bytes(content, "x.vtu"), mixed(), 1e-15)
 
 
@@ -159,6 +175,10 @@ GOOD = file(piece(CUBE, "0 1 2 3 4 5 6 7", 8, 8))
     ("old", "new", "words"),
     [
         (b'type="UnstructuredGrid"', b'type="PolyData"', ["‘PolyData’", "expected UnstructuredGrid"]),
+        (b'type="UnstructuredGrid"', b'type="StructuredGrid"', ["a structured grid", "Append Datasets"]),
+        (b'type="UnstructuredGrid"', b'type="PUnstructuredGrid"', ["index of the parts", "open the .vtu files"]),
+        (b'type="UnstructuredGrid"', b'type="vtkMultiBlockDataSet"', ["index of several", "open the .vtu files"]),
+        (b'type="UnstructuredGrid"', b'type="PImageData"', ["an image", "Append Datasets"]),
         (b"<VTKFile", b"<XYZFile", ["VTKFile"]),
         (b"</VTKFile>", b"", ["inside ‘VTKFile’", "cut short"]),
         (b"</Cells>", b"", ["‘Piece’", "‘Cells’"]),
