@@ -46,7 +46,9 @@ def read_bytes(
     MeshReadError
         The bytes are no mesh that can be read; it names file, place, what was found and what was expected.
     """
-    file = unwrapped(File(data if isinstance(data, bytes) else bytes(data), name, together(companions or {})))
+    file = unwrapped(
+        File(data if isinstance(data, bytes) else bytes(data), name, together(companions or {}, name))
+    )
     del data
     return _read(file)
 

@@ -25,10 +25,11 @@ def beside(path: Path) -> Companions:
             return None
         try:
             root = folder.resolve()
-            whole = spelled(root, place).resolve()
+            path = spelled(root, place)
+            whole = path.resolve()
             if not whole.is_relative_to(root) or not whole.is_file():
                 return None
-            return place.as_posix(), whole.read_bytes()
+            return path.relative_to(root).as_posix(), whole.read_bytes()
         except (OSError, ValueError):
             return None
 
@@ -47,19 +48,20 @@ def spelled(root: Path, place: PurePosixPath) -> Path:
     return whole
 
 
-def together(files: Mapping[str, bytes | bytearray | memoryview]) -> Companions:
-    """Companions out of files that were opened together, by their names.
+def together(files: Mapping[str, bytes | bytearray | memoryview], name: str = "") -> Companions:
+    """Companions out of files that were opened together with one of some name, by their names.
 
-    A browser tells no folders of files that are dropped, so that where the whole path is not found, one file of
-    the same last name is taken.
+    Names may be paths: then those in the file are meant from its folder on. A browser tells no folders of files that
+    are dropped, so that where there is nothing at the whole path, the one file of the same last name is taken.
     """
     if not files:
         return alone
-    by_path = {name.replace("\\", "/").lower(): name for name in files}
+    by_path = {slashed(own): own for own in files}
+    folder = slashed(name).rpartition("/")[0]
 
     def find(name: str) -> Found | None:
-        wanted = re.sub(r"^(?:\./+)+", "", unquoted(name).replace("\\", "/")).lower()
-        key = by_path.get(wanted)
+        wanted = slashed(unquoted(name))
+        key = by_path.get(f"{folder}/{wanted}" if folder else wanted) or by_path.get(wanted)
         if key is None:
             last = wanted.rsplit("/", 1)[-1]
             same = [own for path, own in by_path.items() if path.rsplit("/", 1)[-1] == last]
@@ -67,6 +69,11 @@ def together(files: Mapping[str, bytes | bytearray | memoryview]) -> Companions:
         return None if key is None else (key, bytes(files[key]))
 
     return find
+
+
+def slashed(name: str) -> str:
+    """The name for comparison: separators of one kind, in small letters, without a dot for the folder itself."""
+    return re.sub(r"^(?:\./+)+", "", name.replace("\\", "/")).lower()
 
 
 def unquoted(name: str) -> str:

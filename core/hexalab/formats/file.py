@@ -34,8 +34,14 @@ class File:
     companions: Companions = field(default=alone, repr=False, compare=False)
 
     def companion(self, name: str) -> File | None:
-        """The file that this one calls by a name, such as the one that a line includes; None if it is not there."""
+        """The file that this one calls by a name, such as the one that a line includes; None if it is not there.
+
+        The name is meant from the main file's folder on, else from this one's.
+        """
         found = self.companions(name)
+        folder = self.name.replace("\\", "/").rpartition("/")[0]
+        if found is None and folder:
+            found = self.companions(f"{folder}/{name.strip()}")
         return File(found[1], found[0], self.companions) if found else None
 
     def error(self, message: str, *, line_at: int | None = None, offset: int | None = None) -> MeshReadError:
