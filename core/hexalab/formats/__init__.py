@@ -6,11 +6,13 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from pathlib import Path
 from typing import BinaryIO
 
 from ..errors import MeshReadError, MeshWriteError
 from ..mesh import Mesh
+from .companions import beside, together
 from .container import unwrapped
 from .file import File
 from .registry import FORMATS, Format, choose
@@ -18,7 +20,11 @@ from .registry import FORMATS, Format, choose
 __all__ = ["FORMATS", "Format", "left_behind", "read", "read_bytes", "write", "write_bytes"]
 
 
-def read_bytes(data: bytes | bytearray | memoryview, name: str = "") -> Mesh:
+def read_bytes(
+    data: bytes | bytearray | memoryview,
+    name: str = "",
+    companions: Mapping[str, bytes | bytearray | memoryview] | None = None,
+) -> Mesh:
     """Read a mesh from the bytes of a file.
 
     Parameters
@@ -27,6 +33,8 @@ def read_bytes(data: bytes | bytearray | memoryview, name: str = "") -> Mesh:
         The file, gzipped or not. Anything else than `bytes` is copied once.
     name : str
         Its name: for messages, and its ending tells the format where the content does not.
+    companions : dict of str to bytes, optional
+        Files that it may refer to, by name, such as those that an Abaqus deck includes.
 
     Returns
     -------
@@ -38,8 +46,15 @@ def read_bytes(data: bytes | bytearray | memoryview, name: str = "") -> Mesh:
     MeshReadError
         The bytes are no mesh that can be read; it names file, place, what was found and what was expected.
     """
-    file = unwrapped(File(data if isinstance(data, bytes) else bytes(data), name))
+    file = unwrapped(
+        File(data if isinstance(data, bytes) else bytes(data), name, together(companions or {}, name))
+    )
     del data
+    return _read(file)
+
+
+def _read(file: File) -> Mesh:
+    """Read a file that is not wrapped."""
     try:
         return choose(file).reader(file)
     except MemoryError:
@@ -47,7 +62,10 @@ def read_bytes(data: bytes | bytearray | memoryview, name: str = "") -> Mesh:
 
 
 def read(file: str | os.PathLike[str] | BinaryIO) -> Mesh:
-    """Read a mesh from a path or an open binary file; see `read_bytes`."""
+    """Read a mesh from a path or an open binary file; see `read_bytes`.
+
+    Files that the file at a path refers to are read as well, out of its folder and the folders in that.
+    """
     if isinstance(file, str | os.PathLike):
         path = Path(file)
         try:
@@ -57,7 +75,7 @@ def read(file: str | os.PathLike[str] | BinaryIO) -> Mesh:
             raise MeshReadError(
                 f"the file can't be read: {error.strerror or error}", file=str(path)
             ) from None
-        return read_bytes(data, path.name)
+        return _read(unwrapped(File(data, path.name, beside(path))))
     return read_bytes(file.read(), str(getattr(file, "name", "")))
 
 

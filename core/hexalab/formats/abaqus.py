@@ -1,47 +1,30 @@
-"""Abaqus and CalculiX `.inp` (SPEC R5): *NODE and *ELEMENT of the C3D8 family and its smaller relatives.
-
-Numbers of nodes and elements may have gaps; rows may go on over several lines. Parts have numbers of their
-own; they are shown where they lie, instances are not moved.
-"""
+"""Abaqus and CalculiX `.inp` (SPEC R5): *NODE and *ELEMENT of volumetric elements, in parts and their instances."""
 
 from __future__ import annotations
 
-import re
-from dataclasses import dataclass, field
+from collections.abc import Callable
 
 import numpy as np
 
-from ..arrays import Array
-from ..cells import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
+from ..arrays import Array, Floats
+from ..cells import WEDGE
 from ..errors import MeshReadError
 from ..mesh import Mesh
+from .abaqus_deck import Block, Deck
+from .abaqus_elements import ElementType, element_type
+from .abaqus_fields import count_of_elements
+from .abaqus_rows import ElementRows, element_rows, node_error, node_rows
+from .abaqus_scopes import ASSEMBLY, DECK, INSTANCE, PART, Scope, model
+from .abaqus_sets import Sets
+from .abaqus_systems import COORDINATES, HERE, Placement, instance_placement, node_system
 from .assembly import WEDGE_OF_OTHERS, Assembly, CellBlock, check_finite
 from .file import File
-from .ids import Numbering, whole_tags
-from .text import Text
+from .ids import Numbering
 
-KEYWORD = re.compile(rb"\*[^\r\n]*(?:(?<=,)[ \t]*\r?\n[ \t]*[A-Za-z][^\r\n]*)*")
-VOLUME = re.compile(r"(?:C3D|DC3D|DCC3D|AC3D|EC3D|Q3D|COH3D|GK3D|SC|CSS)(\d+)[A-Z]*")
-COMMAS = bytes.maketrans(b",", b" ")
-
-KINDS_OF_SIZE = {
-    4: TETRAHEDRON,
-    5: PYRAMID,
-    6: WEDGE,
-    8: HEXAHEDRON,
-    10: TETRAHEDRON,
-    13: PYRAMID,
-    15: WEDGE,
-    20: HEXAHEDRON,
-    27: HEXAHEDRON,
-}
-"""By the number of nodes in an element type's name."""
-
+CORNERS = (8, 6, 5, 4)
+"""How many corners a cell of each kind has of its own."""
 
 NOT_FOLLOWED = {
-    "SYSTEM": "Nodes are shown where their numbers say: *SYSTEM, which moves them, is not followed.",
-    "INSTANCE": "Parts are shown where they lie: instances are neither moved nor repeated.",
-} | {
     name: f"*{name} makes {what} of others: these are not shown."
     for name, what in (
         ("NGEN", "nodes"), ("NFILL", "nodes"), ("NCOPY", "nodes"), ("NMAP", "nodes"),
@@ -51,141 +34,230 @@ NOT_FOLLOWED = {
 """Keywords that change the mesh and are not followed: what is noted of each."""
 
 
-@dataclass
-class Part:
-    """A scope of node numbers: blocks of nodes, and of elements by size."""
-
-    tags: list[Array] = field(default_factory=list)
-    points: list[Array] = field(default_factory=list)
-    elements: list[tuple[int, Array, Array, int]] = field(default_factory=list)
-
-
 def read(file: File) -> Mesh:
     """Read the bytes of an `.inp` file; raises MeshReadError."""
     return Reader(file).read()
 
 
 class Reader:
-    """One pass from keyword line to keyword line."""
+    """One pass from keyword to keyword.
+
+    Parameters
+    ----------
+    file : File
+        The deck; files that it includes are its companions.
+    """
 
     def __init__(self, file: File) -> None:
-        plain = Text(file, comment=b"**")
-        self.keywords = plain.data
-        self.text = Text(file)
-        self.text.data = plain.data.translate(COMMAS)
+        self.file = file
+        self.deck = Deck(file)
         self.out = Assembly(file, "inp")
-        self.part = Part()
-        self.parts = [self.part]
+        self.sets = Sets()
+        self.loose = Scope(DECK)
+        self.scopes = [self.loose]
+        self.scope = self.loose
+        self.assembly = self.loose
+        self.system: Placement = HERE
+        self.has_fluid_cavities = False
+        self.surplus: dict[ElementType, int] = {}
+        self.handlers: dict[str, Callable[[Block], None]] = {
+            "NODE": self.nodes,
+            "ELEMENT": self.elements,
+            "SYSTEM": self.local_system,
+            "PART": self.begin_part,
+            "ENDPART": self.end_part,
+            "ASSEMBLY": self.begin_assembly,
+            "ENDASSEMBLY": self.end_part,
+            "INSTANCE": self.begin_instance,
+            "ENDINSTANCE": self.end_instance,
+        }
 
     def read(self) -> Mesh:
-        """Read every keyword's lines, then join the parts; `*INCLUDE` and what isn't followed is noted.
+        """Read every keyword's lines, then join the scopes; what isn't followed is noted.
 
         Raises
         ------
         MeshReadError
-            No keyword, no `*NODE`, or rows that don't fit; the line is named.
+            No keyword, no `*NODE`, or rows that don't fit; file and line are named.
         """
-        found = [match for match in KEYWORD.finditer(self.keywords) if self.begins_line(match.start())]
-        if not found:
-            raise self.text.error("the file has no keyword such as *NODE", 0)
-        ends = [match.start() for match in found[1:]] + [len(self.keywords)]
-        for match, end in zip(found, ends, strict=True):
-            words = [word.strip() for word in match[0].decode("latin-1").split(",")]
-            name = words[0].lstrip("*").strip().upper()
-            pairs = (word.partition("=") for word in words[1:])
-            options = {key.strip().upper(): value.strip() for key, _, value in pairs}
-            if "INPUT" in options and name in ("INCLUDE", "NODE", "ELEMENT"):
-                self.out.note(f"The file includes {options['INPUT']}, which was not read.")
-            if name in NOT_FOLLOWED:
-                self.out.note(NOT_FOLLOWED[name])
-            elif name == "NODE":
-                if options.get("SYSTEM", "R").upper() != "R":
-                    self.out.note(NOT_FOLLOWED["SYSTEM"])
-                self.nodes(match.end(), end)
-            elif name == "ELEMENT":
-                self.elements(options.get("TYPE", "").upper(), match.end(), end)
-            elif name in ("PART", "END PART"):
-                self.part = Part()
-                self.parts.append(self.part)
-        if not any(part.tags for part in self.parts):
-            raise self.text.error("the file has no *NODE section", 0)
+        for block in self.deck.blocks():
+            keyword = block.keyword
+            self.sets.add(keyword)
+            if keyword.name in NOT_FOLLOWED:
+                self.out.note(NOT_FOLLOWED[keyword.name])
+            self.has_fluid_cavities |= keyword.name == "FLUIDPROPERTY"
+            handler = self.handlers.get(keyword.name)
+            if handler and (not block.goes_on or keyword.name in ("NODE", "ELEMENT")):
+                handler(block)
+        if not self.deck.keywords:
+            raise self.file.error("the file has no keyword such as *NODE", line_at=0)
+        if not any(scope.tags for scope in self.scopes):
+            raise self.file.error("the file has no *NODE section" + self.missing(), line_at=0)
+        if self.deck.missing:
+            self.out.note(f"Not all of the deck is here{self.missing()}.")
         self.join()
+        if self.sets.note():
+            self.out.note(self.sets.note())
         return self.out.mesh()
 
-    def begins_line(self, offset: int) -> bool:
-        """Whether nothing but blanks stands before the offset on its line."""
-        start = max(self.keywords.rfind(b"\n", 0, offset), self.keywords.rfind(b"\r", 0, offset)) + 1
-        return not self.keywords[start:offset].strip(b" \t\xef\xbb\xbf")
-
-    def nodes(self, begin: int, end: int) -> None:
-        """Rows of number, x, y, z; more numbers in a row (a normal) are skipped."""
-        self.text.position = begin
-        width = self.text.first_row_width() if self.text.word_offset() < end else 4
-        values = self.text.between(begin, end, np.float64, "*NODE")
-        if width < 4 or len(values) % width:
-            raise self.text.error(
-                f"*NODE has {len(values)} numbers, the first row {width}: expected number, x, y, z in each",
-                begin,
-            )
-        rows = values.reshape(-1, width)
-        points = np.ascontiguousarray(rows[:, 1:4].T)
-        check_finite(
-            points, lambda message, row: self.text.error(message, self.text.number_offset(begin, row * width))
+    def missing(self) -> str:
+        """The part of a sentence that names files which are included and not there."""
+        names = list(dict.fromkeys(self.deck.missing))
+        if not names:
+            return ""
+        listed = ", ".join(names[:5]) + (f" and {len(names) - 5} more" if len(names) > 5 else "")
+        return (
+            f": it includes {listed}, which {'was' if len(names) == 1 else 'were'} not found in its folder; "
+            "open the files together"
         )
-        tags = whole_tags(rows[:, 0])
-        if tags is None:
-            raise self.text.error("a node of this section has a number that is not whole", begin)
-        self.part.tags.append(tags)
-        self.part.points.append(points)
 
-    def elements(self, element_type: str, begin: int, end: int) -> None:
-        """Rows of number and nodes."""
-        match = VOLUME.fullmatch(element_type)
-        size = int(match[1][:4]) if match else 0
-        if size not in KINDS_OF_SIZE:
-            lines = self.text.data.count(b"\n", begin, end) - 1
-            self.out.leave_out(f"elements of type {element_type[:20] or 'unknown'}", max(lines, 1))
-            return
-        values = self.text.between(begin, end, np.int64, f"*ELEMENT, TYPE={element_type}")
-        if len(values) % (size + 1):
-            raise self.text.error(
-                f"*ELEMENT, TYPE={element_type} has {len(values)} numbers, expected {size + 1} in each row",
-                begin,
+    # -- scopes
+
+    def enter(self, scope: Scope) -> None:
+        """Go on in another scope; a system of coordinates ends with its own."""
+        if scope not in self.scopes:
+            self.scopes.append(scope)
+        self.scope, self.system = scope, HERE
+
+    def begin_part(self, block: Block) -> None:
+        """*PART: numbers of its own."""
+        self.enter(Scope(PART, plain(block.keyword.options.get("NAME", ""))))
+
+    def end_part(self, _block: Block) -> None:
+        """*END PART, *END ASSEMBLY: back in the deck."""
+        self.assembly = self.loose
+        self.enter(self.loose)
+
+    def begin_assembly(self, block: Block) -> None:
+        """*ASSEMBLY: has nodes of its own, apart from those of instances."""
+        self.assembly = Scope(ASSEMBLY, plain(block.keyword.options.get("NAME", "")))
+        self.enter(self.assembly)
+
+    def begin_instance(self, block: Block) -> None:
+        """*INSTANCE: a part at a place, which may define nodes and elements itself."""
+        options = block.keyword.options
+        name = plain(options.get("NAME", ""))
+        placement = instance_placement(block.numbers())
+        if placement is None:
+            raise block.error(
+                f"instance {name} has no place: expected a translation, and for a rotation "
+                "two points of its axis and an angle"
             )
-        rows = values.reshape(-1, size + 1)
-        self.part.elements.append((size, rows[:, 0], rows[:, 1:], begin))
+        self.enter(Scope(INSTANCE, name, plain(options.get("PART", "")), placement))
+
+    def end_instance(self, _block: Block) -> None:
+        """*END INSTANCE: back in the assembly."""
+        self.enter(self.assembly)
+
+    # -- lines
+
+    def local_system(self, block: Block) -> None:
+        """*SYSTEM: the nodes after it lie in a system of their own."""
+        system = node_system(block.numbers())
+        if system is None:
+            self.out.note("A *SYSTEM whose points span no system of coordinates is not followed.")
+        self.system = system or HERE
+
+    def nodes(self, block: Block) -> None:
+        """*NODE: rows of number, x, y, z; more numbers in a row (a normal) are skipped."""
+        tags, points = node_rows(block)
+        check_finite(points, lambda message, row: node_error(block, message, row))
+        letter = block.keyword.option("SYSTEM")[:1] or "R"
+        if letter not in COORDINATES:
+            raise block.error(f"*NODE, SYSTEM={letter} is unknown, expected R, C or S")
+        to_rectangular = COORDINATES[letter]
+        if len(tags):
+            self.scope.tags.append(tags)
+            self.scope.points.append(self.system(to_rectangular(points) if to_rectangular else points))
+
+    def elements(self, block: Block) -> None:
+        """*ELEMENT: rows of number and nodes."""
+        name = block.keyword.option("TYPE")
+        kind = element_type(name)
+        if kind is None:
+            left_out = self.scope.left_out
+            called = f"elements of type {name[:20] or 'unknown'}"
+            left_out[called] = left_out.get(called, 0) + count_of_elements(block)
+            return
+        rows = element_rows(block, kind)
+        if len(rows.numbers):
+            self.scope.elements.append(rows)
+        if rows.surplus:
+            self.surplus[kind] = self.surplus.get(kind, 0) + rows.surplus
+
+    # -- the whole
 
     def join(self) -> None:
-        """Join the parts, their vertices one after the other."""
-        first = 0
-        parts = [part for part in self.parts if part.tags]
-        orphans = [element for part in self.parts if not part.tags for element in part.elements]
-        for part in parts:
-            numbering = Numbering(np.concatenate(part.tags))
-            for size, tags, nodes, begin in part.elements + (orphans if part is parts[0] else []):
-                self.add(size, tags, nodes, begin, numbering, first)
-            first += numbering.count
-        self.out.coordinates = np.concatenate([points for part in parts for points in part.points], axis=1)
-        self.out.vertex_numbers = np.concatenate([tags for part in parts for tags in part.tags])
+        """Join the scopes that are in the model, their vertices one after the other."""
+        shown, notes = model(self.scopes)
+        for note in notes:
+            self.out.note(note)
+        with_nodes = [scope for scope in shown if scope.tags]
+        if not with_nodes:
+            raise self.file.error("no part that is instanced has nodes", line_at=0)
+        orphans = [rows for scope in shown if not scope.tags for rows in scope.elements]
+        first, moved, repeated = 0, 0, 0
+        all_points: list[Floats] = []
+        all_tags: list[Array] = []
+        for scope in with_nodes:
+            tags, points, again = scope.nodes()
+            numbering = Numbering(tags)
+            for rows in scope.elements + (orphans if scope is with_nodes[0] else []):
+                self.add(rows, numbering, first)
+            all_tags.append(tags)
+            all_points.append(points)
+            first += len(tags)
+            moved += again
+            repeated += scope.repeated_elements()
+        for scope in shown:
+            for called, count in scope.left_out.items():
+                self.out.leave_out(called, count)
+        self.note_repeated(moved, repeated)
+        self.out.coordinates = np.concatenate(all_points, axis=1)
+        self.out.vertex_numbers = np.concatenate(all_tags)
 
-    def add(self, size: int, tags: Array, nodes: Array, begin: int, numbering: Numbering, first: int) -> None:
-        """Add a block of elements."""
-        kind = KINDS_OF_SIZE[size]
-        own = (8, 6, 5, 4)[kind]
+    def note_repeated(self, nodes: int, elements: int) -> None:
+        """Note numbers that were given twice, and nodes in excess."""
+        if nodes:
+            self.out.note(f"{counted(nodes, 'node')} more than one place: the last definition counts.")
+        if elements:
+            self.out.note(f"{counted(elements, 'element')} the number of another one: all are shown.")
+        for kind, count in self.surplus.items():
+            self.out.note(
+                f"{counted(count, 'element')} more nodes than the {kind.most} of type {kind.name}: "
+                "the surplus is passed over."
+            )
+
+    def add(self, rows: ElementRows, numbering: Numbering, first: int) -> None:
+        """Add elements to the mesh."""
+        kind = rows.type.kind
+        if self.has_fluid_cavities and rows.type.name.startswith("F3D4"):
+            self.out.leave_out(f"faces of fluid cavities, of type {rows.type.name}", len(rows.numbers))
+            return
+        own = CORNERS[kind]
         order = list(WEDGE_OF_OTHERS) if kind == WEDGE else list(range(own))
-        corners = numbering.places(np.ascontiguousarray(nodes[:, order].T))
+        corners = numbering.places(np.ascontiguousarray(rows.nodes[:, order].T))
         missing = corners < 0
         if missing.any():
             cell = int(np.argmax(missing.any(axis=0)))
-            node = int(nodes[cell, order[int(np.argmax(missing[:, cell]))]])
-            raise self.text.error(
-                f"element {int(tags[cell])} refers to node {node}, which is missing",
-                self.text.number_offset(begin, cell * (size + 1)),
-            )
-        if size > own:
-            self.out.note(f"Cells of higher order (elements of {size} nodes) are shown by their corners.")
-        self.out.blocks.append(CellBlock(kind, corners + np.int32(first), self.locate, numbers=tags))
+            node = int(rows.nodes[cell, order[int(np.argmax(missing[:, cell]))]])
+            message = f"element {int(rows.numbers[cell])} refers to node {node}, which is missing"
+            raise rows.error(message + self.missing(), cell)
+        if rows.type.least > own:
+            nodes = rows.type.least
+            self.out.note(f"Cells of higher order (elements of {nodes} nodes) are shown by their corners.")
+        self.out.blocks.append(CellBlock(kind, corners + np.int32(first), self.locate, numbers=rows.numbers))
 
     def locate(self, message: str, _cell: int, _corner: int) -> MeshReadError:
         """An error without a line; nodes that are missing have been found in `add`, with theirs."""
-        return self.text.error(message)
+        return self.file.error(message, line_at=0)
+
+
+def plain(name: str) -> str:
+    """A name without quotes around it."""
+    return name.strip("\"' ")
+
+
+def counted(count: int, what: str) -> str:
+    """A number of things, with the verb: "1 node has", "2 nodes have"."""
+    return f"{count} {what} has" if count == 1 else f"{count} {what}s have"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import zlib
+from dataclasses import replace
 
 from .file import File
 
@@ -50,7 +51,7 @@ def unwrapped(file: File) -> File:
         Empty, a broken or oversized gzip stream, or a known kind of file that is no mesh.
     """
     if file.data.startswith(GZIP):
-        file = File(inflated(file), file.name)
+        file = replace(file, data=inflated(file))
     if not CONTENT.search(file.data):
         raise file.error("the file is empty, expected a mesh")
     for magic, what in NO_MESHES:

@@ -1,10 +1,18 @@
-"""A file's bytes with its name, and the errors that point into it."""
+"""A file's bytes with its name, the errors that point into it, and the files that it refers to."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
 
 from ..errors import MeshReadError
+
+Companions = Callable[[str], "tuple[str, bytes] | None"]
+"""Finds the name and bytes of another file by what a file calls it; None if it is not there."""
+
+
+def alone(_name: str) -> None:
+    """No file lies beside."""
 
 
 @dataclass(frozen=True)
@@ -17,10 +25,24 @@ class File:
         The whole file, decompressed.
     name : str
         Its name, for messages.
+    companions : callable
+        Finds the files that this one refers to (`hexalab.formats.companions`).
     """
 
     data: bytes
     name: str = ""
+    companions: Companions = field(default=alone, repr=False, compare=False)
+
+    def companion(self, name: str) -> File | None:
+        """The file that this one calls by a name, such as the one that a line includes; None if it is not there.
+
+        The name is meant from the main file's folder on, else from this one's.
+        """
+        found = self.companions(name)
+        folder = self.name.replace("\\", "/").rpartition("/")[0]
+        if found is None and folder:
+            found = self.companions(f"{folder}/{name.strip()}")
+        return File(found[1], found[0], self.companions) if found else None
 
     def error(self, message: str, *, line_at: int | None = None, offset: int | None = None) -> MeshReadError:
         """An error at a place of the file.

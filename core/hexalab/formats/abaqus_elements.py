@@ -1,0 +1,81 @@
+"""The volumetric elements of Abaqus and CalculiX by the names of their types.
+
+Sources: the element libraries of Abaqus' manual (solid, cohesive, gasket, continuum shell, solid shell, acoustic,
+heat transfer, piezoelectric, electromagnetic, fluid) and of CalculiX' (C3D, DC3D and F3D).
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import cache
+
+from ..cells import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
+
+KINDS_OF_SIZE = {
+    4: TETRAHEDRON,
+    5: PYRAMID,
+    6: WEDGE,
+    8: HEXAHEDRON,
+    10: TETRAHEDRON,
+    13: PYRAMID,
+    15: WEDGE,
+    20: HEXAHEDRON,
+    27: HEXAHEDRON,
+}
+"""By the number of nodes in a type's name."""
+
+ALL = tuple(KINDS_OF_SIZE)
+
+FAMILIES = {
+    "C3D": ALL, "DC3D": ALL, "DCC3D": ALL, "AC3D": ALL, "EC3D": ALL, "EMC3D": ALL, "Q3D": ALL,
+    "F3D": (4, 6, 8), "FC3D": (4, 5, 6, 8),
+    "COH3D": (6, 8), "GK3D": (6, 8), "SC": (6, 8), "CSS": (8,),
+}  # fmt: skip
+"""What a type's name begins with, and the numbers of nodes that volumetric elements of the family have.
+
+Not among them are gasket elements of 12 and 18 nodes, cylindrical (CCL) and infinite ones (CIN3D): elements whose
+corners the straight edges of a cell do not stand for.
+"""
+
+NAME = re.compile(rf"({'|'.join(FAMILIES)})(\d{{1,2}})([A-Z]*)")
+LINE = re.compile(r"GK3D\d+L.*")
+"""Gasket elements along a line: plane, though their names look like those of tetrahedra and wedges."""
+
+VARIABLE = (("C3D27", 21, 27), ("C3D15V", 15, 18))
+"""Types whose nodes in the middle of faces may be missing: fewest and most nodes."""
+
+
+@dataclass(frozen=True)
+class ElementType:
+    """What the rows of a type hold.
+
+    Parameters
+    ----------
+    name : str
+        As the file has it, in capitals.
+    kind : int
+        Index into KINDS.
+    least, most : int
+        How many nodes a row has; they differ where nodes in the middle of faces may be missing.
+    """
+
+    name: str
+    kind: int
+    least: int
+    most: int
+
+
+@cache
+def element_type(name: str) -> ElementType | None:
+    """The type of that name, in capitals; None if it is none of volumetric elements that can be shown."""
+    match = NAME.fullmatch(name)
+    if not match or LINE.fullmatch(name):
+        return None
+    size = int(match[2])
+    if size not in FAMILIES[match[1]]:
+        return None
+    for start, least, most in VARIABLE:
+        if name.startswith(start):
+            return ElementType(name, KINDS_OF_SIZE[size], least, most)
+    return ElementType(name, KINDS_OF_SIZE[size], size, size)
