@@ -6,7 +6,7 @@
  * @property {{ args: [name: string, data: ArrayBuffer], answer: Summary }} open
  * @property {{ args: [part?: string], answer: Partial<Description> }} describe
  * @property {{ args: [document: unknown], answer: Checked }} check
- * @property {{ args: [changed?: PartialStatus, lean?: boolean], answer: Update }} update
+ * @property {{ args: [changed?: PartialStatus, lean?: boolean, whole?: boolean], answer: Update }} update
  * @property {{ args: [quantity: string], answer: Statistics }} quality
  * @property {{ args: [quantity: string, bins?: number, shown_only?: boolean], answer: Histogram }} histogram
  * @property {{ args: [], answer: Validity }} validity
