@@ -218,6 +218,20 @@ class Session:
         found: Result = jsonable(inspection.inspect(self._open_mesh(), self._cell(cell)))
         return found
 
+    def value(self, cell: int, quantity: str) -> Result:
+        """Tell one value of a cell, as it is coloured by; see `inspection.value`."""
+        return inspection.value(self._open_mesh(), self._cell(cell), quantity)
+
+    def measure_sizes(self) -> bool:
+        """Measure a share of the cells for the mean volume that size metrics compare with.
+
+        Returns
+        -------
+        bool
+            Whether it is known; if not, ask again when nothing else waits.
+        """
+        return self._open_mesh().mean_volumes.step()
+
     def cell_view(self, cell: int) -> Result:
         """Return a cell's centre and size in drawing coordinates."""
         return inspection.where(self._open_mesh().mesh, self._cell(cell))

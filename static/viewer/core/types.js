@@ -11,6 +11,8 @@
  * @property {{ args: [quantity: string, bins?: number, shown_only?: boolean], answer: Histogram }} histogram
  * @property {{ args: [], answer: Validity }} validity
  * @property {{ args: [cell: number], answer: Inspection }} inspect
+ * @property {{ args: [cell: number, quantity: string], answer: CellValue }} value
+ * @property {{ args: [], answer: boolean }} measure_sizes
  * @property {{ args: [cell: number], answer: CellView }} cell_view
  * @property {{ args: [face_tag: number], answer: number }} neighbour
  * @property {{ args: [finding: string], answer: Uint32Array }} finding_cells
@@ -23,6 +25,7 @@
  * @typedef {import("../state/answers.js").Histogram} Histogram
  * @typedef {import("../state/answers.js").Validity} Validity
  * @typedef {import("../state/answers.js").Inspection} Inspection
+ * @typedef {import("../state/answers.js").CellValue} CellValue
  * @typedef {import("../state/answers.js").CellView} CellView
  * @typedef {import("../state/status.js").PartialStatus} PartialStatus
  */
