@@ -56,10 +56,17 @@ def attributes(mesh: Mesh) -> dict[str, Attribute]:
     return found
 
 
+def components(mesh: Mesh, attribute: Attribute) -> list[Attribute]:
+    """List the components of an attribute that is the magnitude of several; none of another."""
+    if attribute.component is not None:
+        return []
+    rows = _rows_of({attribute.array: _data_of(mesh, attribute)[attribute.array]}, attribute.on)
+    return [row for row in rows if row.component is not None]
+
+
 def own_values(mesh: Mesh, attribute: Attribute) -> Floats:
     """Return an attribute's values where the file has them: (C,) or (V,) float64."""
-    data = mesh.cell_data if attribute.on == "cell" else mesh.point_data
-    array = np.asarray(data[attribute.array])
+    array = np.asarray(_data_of(mesh, attribute)[attribute.array])
     if array.ndim == 1:
         return array.astype(np.float64)
     if attribute.component is not None or array.shape[1] == 1:
@@ -139,6 +146,10 @@ def described(mesh: Mesh) -> list[dict[str, Any]]:
         low, high = finite_range(own_values(mesh, row)) or (None, None)
         rows.append({"id": row.id, "name": row.name, "on": row.on, "min": low, "max": high})
     return rows
+
+
+def _data_of(mesh: Mesh, attribute: Attribute) -> dict[str, Array]:
+    return mesh.cell_data if attribute.on == "cell" else mesh.point_data
 
 
 def _rows(mesh: Mesh) -> Iterator[Attribute]:

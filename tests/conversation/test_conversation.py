@@ -14,6 +14,7 @@ from playwright.sync_api import Browser
 
 from benchmarks.page import SITE, serve
 from hexalab.quality import METRICS
+from hexalab.quality.sizes import NEEDS as SIZED
 from hexalab.session.door import METHODS
 from tests.conversation.ways import WAYS, Ask, Refused
 
@@ -106,6 +107,13 @@ def test_A1_a_whole_conversation(ask: Ask, said: set[str], attributed: bytes, tw
     told = say("inspect", 1)
     assert (told["kind"], told["corners"]) == ("hexahedron", [1, 2, 6, 5, 13, 14, 18, 17])
     assert set(told["metrics"]) == set(METRICS)
+    assert (told["pending"], told["metrics"]["relative_size_squared"]) == (list(SIZED), None)
+    assert say("value", 1, "relative_size_squared")["pending"]
+    assert say("measure_sizes") is True, "six cells are one share"
+    assert say("value", 1, "relative_size_squared")["value"] == 1
+    assert say("inspect", 1)["pending"] == []
+    flow = say("value", 1, "point:flow")
+    assert flow["components"] == [1.5, 0.5, 0.5]
     assert say("cell_view", 1)["size"] == pytest.approx((3 / 14) ** 0.5)
     assert say("neighbour", 8 * 1 + 3) == 2
     assert say("describe", "faces") == {"faces": 29, "boundary_faces": 22, "nonmanifold_faces": 0}

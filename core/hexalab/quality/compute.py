@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -14,7 +14,7 @@ from . import face_angles, hexahedron, hexahedron_shape, nodal, other_kinds
 from .arena import BLOCK
 from .block import HexahedronBlock
 from .metrics import METRICS
-from .sizes import NEEDS, with_sizes
+from .sizes import NEEDS, volumes_of_kinds, with_sizes
 
 Kernels = dict[str, Callable[[Any, Floats], None]]
 
@@ -108,7 +108,9 @@ def quality(mesh: Mesh, metric: str) -> Floats:
     return quality_many(mesh, [metric])[metric]
 
 
-def quality_many(mesh: Mesh, metrics: Iterable[str] = METRICS) -> dict[str, Floats]:
+def quality_many(
+    mesh: Mesh, metrics: Iterable[str] = METRICS, means: Mapping[int, float] | None = None
+) -> dict[str, Floats]:
     """Compute several metrics of every cell at once: they share corners, edges, lengths and determinants.
 
     Parameters
@@ -116,6 +118,8 @@ def quality_many(mesh: Mesh, metrics: Iterable[str] = METRICS) -> dict[str, Floa
     mesh : Mesh
     metrics : iterable of str
         Ids; all by default.
+    means : mapping of int to float, optional
+        Mean volume of the cells of each kind, if the mesh is a part of another: what its cells' sizes are relative to.
 
     Returns
     -------
@@ -127,14 +131,25 @@ def quality_many(mesh: Mesh, metrics: Iterable[str] = METRICS) -> dict[str, Floa
         if metric not in METRICS:
             raise KeyError(f"no metric {metric!r}; there are {', '.join(METRICS)}")
     needed = dict.fromkeys(need for metric in wanted for need in NEEDS.get(metric, (metric,)))
+    out = _kernel_values(mesh, needed)
+    with_sizes(mesh, out, wanted, means)
+    return {metric: out[metric] for metric in wanted}
+
+
+def compared_volumes(mesh: Mesh) -> dict[int, Floats]:
+    """Return the volumes of the cells of each kind, by kind, whose mean the size metrics compare with."""
+    return volumes_of_kinds(mesh, _kernel_values(mesh, ("volume", "corner_sum")))
+
+
+def _kernel_values(mesh: Mesh, needed: Collection[str]) -> dict[str, Floats]:
+    """Values of every cell by the kernels of these names; NaN where its kind has none."""
     out: dict[str, Floats] = {metric: np.full(mesh.cell_count, np.nan) for metric in needed}
     for kind, (make_block, of_kind) in KERNELS.items():
         cells = np.flatnonzero(mesh.kinds == kind)
         kernels = {metric: kernel for metric, kernel in of_kind.items() if metric in needed}
         if cells.size and kernels:
             _run(mesh, cells, make_block(), kernels, out)
-    with_sizes(mesh, out, wanted)
-    return {metric: out[metric] for metric in wanted}
+    return out
 
 
 def _run(mesh: Mesh, cells: Any, block: Any, kernels: Kernels, out: dict[str, Floats]) -> None:

@@ -131,7 +131,7 @@ class Session:
         told = [rejection.as_dict() for rejection in rejections + unknown]
         return {"partial": {**partial, **identity}, "rejections": told, "form": form}
 
-    def update(self, changed: Result | None = None, lean: bool = False) -> Result:
+    def update(self, changed: Result | None = None, lean: bool = False, whole: bool = False) -> Result:
         """Take on settings that changed and return what is drawn otherwise than before.
 
         Parameters
@@ -142,6 +142,8 @@ class Session:
         lean : bool
             Leave out edges and silhouette, as for drafts while something moves; the next update that is not
             lean brings them.
+        whole : bool
+            Return every record: the last answer got lost on its way, or could not be drawn.
 
         Returns
         -------
@@ -154,21 +156,29 @@ class Session:
         Raises
         ------
         HexaLabError
-            If the settings name a quantity that the mesh has not got; they stay as they were.
+            If the settings name a quantity that the mesh has not got. After this or any other failure they stay as
+            they were, and the next update returns every record.
         """
         began = perf_counter()
         opened, picture = self._open_mesh(), self._drawn()
+        if whole:
+            picture.forget()
         settings = documents.merge(self._settings, changed or {})
-        records = picture.update(settings, lean)
+        try:
+            records = picture.update(settings, lean)
+            answer = {
+                "shown_cells": int(np.count_nonzero(picture.shown)),
+                "shown_faces": picture.shown_faces(),
+                "max_depth": opened.max_depth(settings["filters"]["peel"]["depth"] > 0),
+                "plane_ranges": opened.plane_ranges(settings["filters"]["planes"]),
+                **records,
+                "timings": {**picture.timings, "update": 1000 * (perf_counter() - began)},
+            }
+        except Exception:
+            picture.forget()
+            raise
         self._settings = settings
-        return {
-            "shown_cells": int(np.count_nonzero(picture.shown)),
-            "shown_faces": picture.shown_faces(),
-            "max_depth": opened.max_depth(settings["filters"]["peel"]["depth"] > 0),
-            "plane_ranges": opened.plane_ranges(settings["filters"]["planes"]),
-            **records,
-            "timings": {**picture.timings, "update": 1000 * (perf_counter() - began)},
-        }
+        return answer
 
     def preview(self) -> bytes:
         """Pack summary and first picture into one block of bytes: what the catalogue shows before Python runs."""
@@ -207,6 +217,20 @@ class Session:
         """Tell everything about a cell; see `inspection.inspect`."""
         found: Result = jsonable(inspection.inspect(self._open_mesh(), self._cell(cell)))
         return found
+
+    def value(self, cell: int, quantity: str) -> Result:
+        """Tell one value of a cell, as it is coloured by; see `inspection.value`."""
+        return inspection.value(self._open_mesh(), self._cell(cell), quantity)
+
+    def measure_sizes(self) -> bool:
+        """Measure a share of the cells for the mean volume that size metrics compare with.
+
+        Returns
+        -------
+        bool
+            Whether it is known; if not, ask again when nothing else waits.
+        """
+        return self._open_mesh().mean_volumes.step()
 
     def cell_view(self, cell: int) -> Result:
         """Return a cell's centre and size in drawing coordinates."""

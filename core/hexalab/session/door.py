@@ -27,6 +27,8 @@ METHODS = (
     "histogram",
     "validity",
     "inspect",
+    "value",
+    "measure_sizes",
     "cell_view",
     "neighbour",
     "finding_cells",

@@ -7,17 +7,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .. import attributes
 from ..arrays import Array
-from ..attributes import average_corners
+from ..attributes import average_corners, cell_values
 from ..cells import CORNERS_OF_KIND, KINDS
 from ..diagnosis import Finding
 from ..mesh import Mesh
 from ..quality import METRICS, certify, quality_many
+from ..quality.sizes import NEEDS as SIZED
 from ..quality.validity import STATES
 from .opened import Opened
-
-RELATIVE = {"shape_and_size": "shape", "shear_and_size": "shear"}
-"""Metrics that are the product of another and `relative_size_squared`, which depends on the whole mesh."""
 
 
 def inspect(opened: Opened, cell: int) -> dict[str, Any]:
@@ -27,44 +26,90 @@ def inspect(opened: Opened, cell: int) -> dict[str, Any]:
     -------
     dict
         `cell`, `kind`, `corners` (vertex ids of its own corners), `coordinates` (one [x, y, z] for each),
-        `metrics` (id to value, None where it is not finite; only those that the kind has), `attributes` (name
-        to value or list), `neighbours` (six cells, -1 outside), `validity` ("valid", "invalid" or
-        "undecided").
+        `metrics` (id to value, None where it is not finite; only those that the kind has), `pending` (metrics
+        that compare with the mesh's mean volume and wait for it, None among `metrics`), `attributes` (name to value
+        or list), `neighbours` (six cells, -1 outside), `validity` ("valid", "invalid" or "undecided").
     """
     mesh = opened.mesh
     kind = int(mesh.kinds[cell])
     corners = mesh.corners[np.array(CORNERS_OF_KIND[kind]), cell]
+    own = [metric.id for metric in METRICS.values() if kind in metric.kinds]
+    metrics = cell_metrics(opened, cell, own)
     return {
         "cell": cell,
         "kind": KINDS[kind],
         "corners": corners.tolist(),
         "coordinates": mesh.coordinates[:, corners].T.tolist(),
-        "metrics": cell_metrics(opened, cell),
+        "metrics": {id: metrics.get(id) for id in own},
+        "pending": [id for id in own if id not in metrics],
         "attributes": cell_attributes(mesh, cell),
         "neighbours": mesh.topology.neighbours_of(np.array([cell]))[:, 0].tolist(),
         "validity": STATES[int(certify(alone(mesh, cell)).state[0])],
     }
 
 
-def alone(mesh: Mesh, cell: int) -> Mesh:
-    """Return a mesh of one cell of another."""
+def value(opened: Opened, cell: int, quantity: str) -> dict[str, Any]:
+    """Tell one value of a cell, as it is coloured by.
+
+    Parameters
+    ----------
+    opened : Opened
+    cell : int
+    quantity : str
+        Id of a metric or an attribute.
+
+    Returns
+    -------
+    dict
+        `cell`, `kind`, `value` (None where it is not finite, or the kind has no such metric), `components` (of an
+        attribute with several, whose magnitude the value is; else None), `pending` (whether the value waits for the
+        mesh's mean volume).
+
+    Raises
+    ------
+    UnknownQuantity
+        If there is neither a metric nor an attribute of that id.
+    """
+    told = {"cell": cell, "kind": KINDS[opened.mesh.kinds[cell]], "components": None, "pending": False}
+    if quantity in METRICS:
+        metrics = cell_metrics(opened, cell, [quantity])
+        return {**told, "value": metrics.get(quantity), "pending": quantity not in metrics}
+    attribute = opened.attribute(quantity)
+    one = alone(opened.mesh, cell, attribute.array)
+    components = [_finite(cell_values(one, part)[0]) for part in attributes.components(one, attribute)]
+    return {**told, "value": _finite(cell_values(one, attribute)[0]), "components": components or None}
+
+
+def alone(mesh: Mesh, cell: int, array: str = "") -> Mesh:
+    """Return a mesh of one cell of another, with the attributes of one name."""
     corners = mesh.corners[:, cell]
     own, places = np.unique(corners, return_inverse=True)
-    return Mesh(mesh.coordinates[:, own], places.astype(np.int32).reshape(8, 1), mesh.kinds[cell : cell + 1])
+    data = {name: np.asarray(of)[cell : cell + 1] for name, of in mesh.cell_data.items() if name == array}
+    at_points = {name: np.asarray(of)[own] for name, of in mesh.point_data.items() if name == array}
+    return Mesh(
+        mesh.coordinates[:, own],
+        places.astype(np.int32).reshape(8, 1),
+        mesh.kinds[cell : cell + 1],
+        point_data=at_points,
+        cell_data=data,
+    )
 
 
-def cell_metrics(opened: Opened, cell: int) -> dict[str, float | None]:
-    """Measure one cell by every metric that its kind has."""
-    kind = int(opened.mesh.kinds[cell])
-    own = [metric.id for metric in METRICS.values() if kind in metric.kinds]
-    values = {id: float(array[0]) for id, array in quality_many(alone(opened.mesh, cell), own).items()}
-    if "relative_size_squared" in values:
-        size = float(opened.values("relative_size_squared")[cell])
-        values["relative_size_squared"] = size
-        for product, factor in RELATIVE.items():
-            if product in values:
-                values[product] = size * values[factor] if factor in values else opened.values(product)[cell]
-    return {id: value if np.isfinite(value) else None for id, value in values.items()}
+def cell_metrics(opened: Opened, cell: int, metrics: list[str]) -> dict[str, float | None]:
+    """Measure one cell, None where a value is not finite; metrics that wait for the mesh's mean volume are left out.
+
+    No more than this cell is measured: what is known of the whole mesh is looked up.
+    """
+    means = opened.mean_volumes.known
+    known = {id: values for id in metrics if (values := opened.known_values(id)) is not None}
+    others = [id for id in metrics if id not in known and (means is not None or id not in SIZED)]
+    measured = quality_many(alone(opened.mesh, cell), others, means) if others else {}
+    found = {id: measured[id][0] if id in measured else known[id][cell] for id in (*others, *known)}
+    return {id: _finite(number) for id, number in found.items()}
+
+
+def _finite(number: float) -> float | None:
+    return float(number) if np.isfinite(number) else None
 
 
 def cell_attributes(mesh: Mesh, cell: int) -> dict[str, Any]:

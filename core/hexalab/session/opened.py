@@ -19,6 +19,7 @@ from ..quality import METRICS, Validity, certify, quality, statistics
 from ..status import OpenMesh
 from ..summary import STRUCTURE
 from ..surface import DrawnMesh, Irregular, extract_irregular
+from .mean_volumes import MeanVolumes
 
 DESCRIBED = (*STRUCTURE, "findings")
 """Parts of a description, to be asked for one by one."""
@@ -42,6 +43,7 @@ class Opened:
     def __init__(self, mesh: Mesh) -> None:
         self.mesh = mesh
         self.knows_edges = False
+        self.mean_volumes = MeanVolumes(mesh)
         self._values: OrderedDict[str, Floats] = OrderedDict()
         self._ranges: dict[str, tuple[float, float] | None] = {}
         self._statistics: dict[str, dict[str, Any]] = {}
@@ -106,14 +108,28 @@ class Opened:
             return self._values[quantity]
         if quantity in METRICS:
             values = quality(self.mesh, quantity)
-        elif quantity in self.attributes:
-            values = cell_values(self.mesh, self.attributes[quantity])
         else:
-            raise UnknownQuantity(f"there is no metric and no attribute {quantity!r}")
+            values = cell_values(self.mesh, self.attribute(quantity))
         self._values[quantity] = values
         while len(self._values) > 1 and len(self._values) * values.nbytes > MOST_BYTES_OF_VALUES:
             self._values.popitem(last=False)
         return values
+
+    def known_values(self, quantity: str) -> Floats | None:
+        """Return the values of a quantity if they are there, (C,) float64; None if they would have to be computed."""
+        return self._values.get(quantity)
+
+    def attribute(self, quantity: str) -> Attribute:
+        """Return an attribute by its id.
+
+        Raises
+        ------
+        UnknownQuantity
+            If there is none of that id.
+        """
+        if quantity not in self.attributes:
+            raise UnknownQuantity(f"there is no metric and no attribute {quantity!r}")
+        return self.attributes[quantity]
 
     def range_of(self, quantity: str) -> tuple[float, float] | None:
         """Return the smallest and largest finite value over the cells; None if there is none."""

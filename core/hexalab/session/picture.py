@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from time import perf_counter
 from typing import Any
 
@@ -31,7 +32,7 @@ class Picture:
         self.shown: Shown = np.ones(opened.mesh.cell_count, dtype=bool)
         self._filters: Settings | None = None
         self._version = 0
-        self._shown_faces = 0
+        self._shown_faces = (-1, 0)
         self._made: dict[str, Any] = {}
         self.timings: dict[str, float] = {}
 
@@ -43,37 +44,35 @@ class Picture:
         A lean update leaves out what a draft does without, edges and silhouette; the next one that is not
         brings them.
         """
-        try:
-            return self._update(settings, lean)
-        except Exception:
-            self._made = {}  # what was made before it failed reaches nobody: the next update returns it all
-            raise
-
-    def _update(self, settings: Settings, lean: bool) -> dict[str, Any]:
         self.timings = {}
         self._filter(settings["filters"])
         parts: dict[str, Any] = {}
         separation = settings["separation"]
         edges = separation["mode"] in LINED and not lean
-        if self._is_new("surface", (self._version, separation["mode"], _size(separation), edges)):
-            parts["surface"] = self._timed("surface", self._extract_surface, separation, edges)
-        if settings["silhouette"] > 0 and not lean and self._is_new("silhouette", self._version):
-            parts["silhouette"] = self._timed("silhouette", self._extract_silhouette)
+        surface = (self._version, separation["mode"], _size(separation), edges)
+        self._renew(parts, "surface", surface, self._extract_surface, separation, edges)
+        if settings["silhouette"] > 0 and not lean:
+            self._renew(parts, "silhouette", self._version, self._extract_silhouette)
         irregular, pending = self._irregular_parts(settings["irregular"])
-        if irregular is not None and not pending and self._is_new("irregular", irregular):
-            parts["irregular"] = self._timed("irregular", self._extract_irregular, *irregular)
+        if irregular is not None and not pending:
+            self._renew(parts, "irregular", irregular, self._extract_irregular, *irregular)
         colour = settings["colour"]
-        quantity = quantity_of(colour)
-        if self._is_new("colour", (quantity, _frozen(colour["range"]) if colour["by"] != "kind" else None)):
-            parts["colour"] = self._timed("colour", self.colour, colour)
+        coloured = (quantity_of(colour), _frozen(colour["range"]) if colour["by"] != "kind" else None)
+        self._renew(parts, "colour", coloured, self.colour, colour)
         parts["pending"] = ["irregular"] if pending else []
         return parts
 
+    def forget(self) -> None:
+        """Let the next update return every record: what was made last has not come to whoever draws it."""
+        self._made = {}
+
     def shown_faces(self) -> int:
         """Return the number of faces between shown cells and hidden ones or the outside."""
-        if self._is_new("shown_faces", self._version):
-            self._shown_faces = len(self.opened.mesh.topology.interface(self.shown).rows)
-        return self._shown_faces
+        version, faces = self._shown_faces
+        if version != self._version:
+            faces = len(self.opened.mesh.topology.interface(self.shown).rows)
+            self._shown_faces = (self._version, faces)
+        return faces
 
     def colour(self, colour: Settings) -> dict[str, Any] | None:
         """Return each cell's place on the colour map and what the map means; None for sides."""
@@ -104,10 +103,10 @@ class Picture:
             return
         began = perf_counter()
         shown = self.opened.filters.apply(filters)
-        self._filters = filters
         if self._version == 0 or not np.array_equal(shown, self.shown):
-            self.shown = shown.copy()
+            self.shown = shown
             self._version += 1
+        self._filters = filters
         self.timings["filters"] = 1000 * (perf_counter() - began)
 
     def _extract_surface(self, separation: Settings, edges: bool) -> dict[str, Any]:
@@ -127,17 +126,16 @@ class Picture:
     def _extract_irregular(self, barbs: bool, paper: bool) -> dict[str, Any]:
         return self.opened.irregular(barbs, paper).arrays()
 
-    def _is_new(self, name: str, made_from: Any) -> bool:
+    def _renew(
+        self, parts: dict[str, Any], name: str, made_from: Any, make: Callable[..., Any], *arguments: Any
+    ) -> None:
+        """Add a record to `parts` if it is made from something else than the last one; noted when it is made."""
         if name in self._made and self._made[name] == made_from:
-            return False
-        self._made[name] = made_from
-        return True
-
-    def _timed(self, name: str, make: Any, *arguments: Any) -> Any:
+            return
         began = perf_counter()
-        made = make(*arguments)
+        parts[name] = make(*arguments)
         self.timings[name] = 1000 * (perf_counter() - began)
-        return made
+        self._made[name] = made_from
 
 
 def quantity_of(colour: Settings) -> str | None:

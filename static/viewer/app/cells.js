@@ -1,3 +1,4 @@
+import { Superseded } from "../core/client.js";
 import { cameraOnCell } from "../state/camera.js";
 import { quantityOf } from "../state/quantity.js";
 import { dig, isolate, undig } from "../state/picking.js";
@@ -23,28 +24,45 @@ export class Cells {
       return facts.set({ cell: null });
     }
     try {
-      const found = await client.call("inspect", [cell], { replace: "inspect" });
-      if (asked === this.#asked) facts.set({ cell: found });
+      const look = async () => {
+        const found = await client.call("inspect", [cell], { replace: "inspect" });
+        if (asked === this.#asked) facts.set({ cell: found });
+        return found;
+      };
+      const { pending } = await look();
+      if (!pending.length) return;
+      await this.#measureSizes();
+      if (asked === this.#asked) await look();
     } catch (error) {
-      if (asked === this.#asked) messages.error(error, { topic: "inspect" });
+      if (asked === this.#asked && !(error instanceof Superseded))
+        messages.error(error, { topic: "inspect" });
     }
+  }
+
+  /** Has the core measure what sizes are compared with: a share of the cells at a time, so that a slice can come between. */
+  async #measureSizes() {
+    const { client, facts } = this.#app;
+    const summary = facts.get("summary");
+    while (facts.get("summary") === summary && !(await client.call("measure_sizes")));
   }
 
   /** Tell the value of the cell under the pointer, in the metric or attribute looked at. @param {number} cell */
   async tell(cell) {
     const { client, facts } = this.#app;
     const { id, name, symbol } = quantityOf(this.#app);
-    const found = await client.call("inspect", [cell], { replace: "hover" }).catch(() => null);
-    if (!found || facts.get("hover")?.cell !== cell) return;
-    const value = found.metrics[id] ?? found.attributes[name];
-    facts.set({
-      hover: {
-        cell,
-        kind: found.kind,
-        name: symbol || name,
-        value: typeof value === "number" ? value : null,
-      },
-    });
+    const ask = () => client.call("value", [cell, id], { replace: "hover" });
+    const here = () => facts.get("hover")?.cell === cell;
+    try {
+      let found = await ask();
+      if (found.pending && here()) {
+        await this.#measureSizes();
+        if (here()) found = await ask();
+      }
+      const { kind, value, components } = found;
+      if (here()) facts.set({ hover: { cell, kind, name: symbol || name, value, components } });
+    } catch {
+      // the pointer went on, or another mesh has come: nothing to tell
+    }
   }
 
   /** Bring a cell before the camera, and inspect it. @param {number} cell */

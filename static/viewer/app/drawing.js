@@ -23,6 +23,8 @@ export class Drawing {
   #ready = false;
   /** Whether the surface that is there, or was asked for last, lacks edges and silhouette. */
   #lean = false;
+  /** Whether an answer, or a part of it, has not come to the screen: then every record is asked for. */
+  #lost = false;
   /** @type {Promise<void>} */
   #latest = Promise.resolve();
 
@@ -92,16 +94,22 @@ export class Drawing {
       this.#lean = lean;
       // What has changed is found when the call is sent: one that another replaces takes no change with it.
       const args = () =>
-        /** @type {[PartialStatus, boolean]} */ ([this.#settings.changed(this.#store.status), lean]);
+        /** @type {[PartialStatus, boolean, boolean]} */ ([
+          this.#settings.changed(this.#store.status),
+          lean,
+          this.#lost,
+        ]);
       const answer = await this.#client.call("update", args, { replace: "update" });
-      this.#messages.settle("update");
       this.#take(answer, same);
+      this.#lost = false;
+      this.#messages.settle("update");
       const slice = this.#client.milliseconds.update;
       const timings = { ...this.#facts.get("timings"), ...answer.timings, slice };
       this.#facts.set({ timings });
     } catch (error) {
       if (error instanceof Superseded) return;
       this.#settings.forget();
+      this.#lost = true;
       this.#messages.error(error, { topic: "update" });
     }
   }

@@ -6,11 +6,13 @@
  * @property {{ args: [name: string, data: ArrayBuffer], answer: Summary }} open
  * @property {{ args: [part?: string], answer: Partial<Description> }} describe
  * @property {{ args: [document: unknown], answer: Checked }} check
- * @property {{ args: [changed?: PartialStatus, lean?: boolean], answer: Update }} update
+ * @property {{ args: [changed?: PartialStatus, lean?: boolean, whole?: boolean], answer: Update }} update
  * @property {{ args: [quantity: string], answer: Statistics }} quality
  * @property {{ args: [quantity: string, bins?: number, shown_only?: boolean], answer: Histogram }} histogram
  * @property {{ args: [], answer: Validity }} validity
  * @property {{ args: [cell: number], answer: Inspection }} inspect
+ * @property {{ args: [cell: number, quantity: string], answer: CellValue }} value
+ * @property {{ args: [], answer: boolean }} measure_sizes
  * @property {{ args: [cell: number], answer: CellView }} cell_view
  * @property {{ args: [face_tag: number], answer: number }} neighbour
  * @property {{ args: [finding: string], answer: Uint32Array }} finding_cells
@@ -23,6 +25,7 @@
  * @typedef {import("../state/answers.js").Histogram} Histogram
  * @typedef {import("../state/answers.js").Validity} Validity
  * @typedef {import("../state/answers.js").Inspection} Inspection
+ * @typedef {import("../state/answers.js").CellValue} CellValue
  * @typedef {import("../state/answers.js").CellView} CellView
  * @typedef {import("../state/status.js").PartialStatus} PartialStatus
  */

@@ -34,6 +34,7 @@ function hoverInWords({ facts }) {
   const hover = facts.get("hover");
   const tool = TOOL_WORDS[facts.get("tool")];
   if (!hover) return tool;
-  const value = typeof hover.value === "number" ? `, ${hover.name} ${decimal(hover.value)}` : "";
+  const parts = hover.components ? ` (${hover.components.map((one) => decimal(one)).join(", ")})` : "";
+  const value = typeof hover.value === "number" ? `, ${hover.name} ${decimal(hover.value)}${parts}` : "";
   return [`cell ${hover.cell}${value}`, tool].filter(Boolean).join(" · ");
 }

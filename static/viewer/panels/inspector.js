@@ -45,7 +45,9 @@ function parts(context, cell) {
   const neighbours = cell.neighbours.filter((other) => other >= 0);
   const metrics = tables.metrics
     .filter(({ id }) => cell.metrics[id] !== undefined)
-    .map(({ id, name, acceptable_range: range }) => metricRow(name, cell.metrics[id], range));
+    .map(({ id, name, acceptable_range: range }) =>
+      metricRow(name, cell.pending.includes(id) ? "…" : cell.metrics[id], range),
+    );
   const attributes = Object.entries(cell.attributes).map(([name, value]) => metricRow(name, value, null));
   return [
     h("p", { class: "quiet" }, `${cell.kind}, ${cell.validity}`),

@@ -141,9 +141,17 @@
  * @property {number[]} corners vertices
  * @property {Point[]} coordinates of the corners
  * @property {Record<string, number | null>} metrics those that its kind has
+ * @property {string[]} pending metrics that wait for the mesh's mean volume
  * @property {Record<string, unknown>} attributes by name: a value, or a list of components
  * @property {number[]} neighbours six cells, -1 outside
  * @property {"invalid" | "valid" | "undecided"} validity
+ *
+ * @typedef {object} CellValue  one value of a cell, as it is coloured by
+ * @property {number} cell
+ * @property {string} kind
+ * @property {number | null} value
+ * @property {(number | null)[] | null} components of which the value is the magnitude
+ * @property {boolean} pending whether it waits for the mesh's mean volume
  *
  * @typedef {object} CellView
  * @property {Point} centre in diagonals, from the extent's centre

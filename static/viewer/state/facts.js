@@ -17,6 +17,7 @@
  * @property {string} [kind]
  * @property {string} [name] of the quantity looked at
  * @property {number | null} [value]
+ * @property {readonly (number | null)[] | null} [components] of which the value is the magnitude
  *
  * @typedef {object} FactTable  the facts by name
  * @property {"starting" | "ready" | "failed"} core

@@ -67,6 +67,9 @@ def answers(attributed: bytes, infinite: bytes) -> Iterator[tuple[str, Any]]:
         yield "histogram", core.ask("histogram", quantity, 10, True)
     yield "validity", core.ask("validity")
     yield "inspect", core.ask("inspect", 0)
+    for quantity in ("relative_size_squared", "point:flow", "cell:load"):
+        yield "value", core.ask("value", 0, quantity)
+    yield "measure_sizes", core.ask("measure_sizes")
     yield "cell_view", core.ask("cell_view", 0)
     yield "neighbour", core.ask("neighbour", 0)
     yield "open", core.ask("open", "infinite.vtk", data=infinite)

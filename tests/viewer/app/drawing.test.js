@@ -20,7 +20,7 @@ const CORE_PATHS = ["filters", "separation.mode", "colour.by", "colour.range", "
 function parts() {
   const store = /** @type {StatusStore<any>} */ (new StatusStore(DEFAULTS));
   const facts = new Facts({ timings: {} });
-  /** @type {{ changed: any, lean: boolean, answer: (value: any) => void, fail: (error: Error) => void }[]} */
+  /** @type {{ changed: any, lean: boolean, whole: boolean, answer: (value: any) => void, fail: (error: Error) => void }[]} */
   const calls = [];
   /** @type {any[]} */
   const drawn = [];
@@ -43,8 +43,8 @@ function parts() {
   const client = {
     milliseconds: {},
     call: (/** @type {string} */ _, /** @type {() => any[]} */ args) => {
-      const [changed, lean] = args();
-      return new Promise((answer, fail) => calls.push({ changed, lean, answer, fail }));
+      const [changed, lean, whole] = args();
+      return new Promise((answer, fail) => calls.push({ changed, lean, whole, answer, fail }));
     },
   };
   const messages = new Messages(facts);
@@ -150,4 +150,33 @@ test("P2: the core is told what has changed since it was told last, and all afte
   drawing.begin();
   void drawing.update();
   assert.deepEqual(calls[4].changed, whole());
+});
+
+test("R10: after an answer that failed, or could not be drawn, all records are asked for until they are there", async () => {
+  const { store, calls, scene, drawn, facts } = parts();
+  const settle = () => new Promise((resolve) => setTimeout(resolve));
+  const counts = { shown_cells: 1, shown_faces: 6 };
+  store.set({ filters: { planes: { items: [1] } } });
+  calls[0].answer({ ...counts, surface: "S" });
+  await settle();
+  scene.setCellColours = () => {
+    throw new RangeError("Array buffer allocation failed");
+  };
+  store.set({ colour: { by: "quality" } });
+  assert.equal(calls[1].whole, false);
+  calls[1].answer({ ...counts, colour: { map_position: "M" } });
+  await settle();
+  assert.equal(facts.get("messages")[0].text, "Array buffer allocation failed");
+  scene.setCellColours = (/** @type {any} */ value) => drawn.push(["colours", value]);
+  store.set({ colour: { range: [0, 1] } });
+  assert.equal(calls[2].whole, true);
+  calls[2].fail(new Error("there is not enough memory for that"));
+  await settle();
+  store.set({ colour: { range: [0, 2] } });
+  assert.equal(calls[3].whole, true);
+  calls[3].answer({ ...counts, surface: "S", colour: { map_position: "N" } });
+  await settle();
+  assert.deepEqual(drawn.at(-1), ["colours", "N"]);
+  store.set({ colour: { range: [0, 3] } });
+  assert.equal(calls[4].whole, false);
 });
