@@ -15,7 +15,7 @@ import numpy as np
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
-import hexalab
+from hexalab import formats
 from hexalab.arrays import Array
 from hexalab.cells import CORNERS_OF_KIND, KINDS
 
@@ -34,6 +34,9 @@ VTK_KINDS = {
 MESHIO_NAMES = {"medit:ref": "reference", "gmsh:physical": "physical", "gmsh:geometrical": "entity"}
 """Names of ours for what meshio calls otherwise."""
 
+VTK_TURNED = (31, 32, 73, 80)
+"""Wedges of VTK 9.6 that are numbered the other way round than its types 13 and 26."""
+
 VOXEL_ORDER = [0, 1, 3, 2, 4, 5, 7, 6]
 
 
@@ -43,7 +46,7 @@ class NotRead(Exception):
 
 def by_hexalab(path: Path) -> Reading:
     """Our own reading."""
-    mesh = hexalab.read(path)
+    mesh = formats.read(path)  # as it stands in the file: not turned round
     cells = mesh.cells
     kinds = {name: cells[mesh.kinds == kind][:, CORNERS_OF_KIND[kind]] for kind, name in enumerate(KINDS)}
     return Reading(mesh.points, kinds, dict(mesh.cell_data), dict(mesh.point_data))
@@ -83,7 +86,7 @@ def by_vtk(path: Path) -> Reading:
         rows = ids[begin[:, None] + np.arange(CORNERS[kind])]
         if number == 11:
             rows = rows[:, VOXEL_ORDER]
-        corners[kind].append(rows[:, OTHER_WEDGE] if number in (73, 80) else rows)
+        corners[kind].append(rows[:, OTHER_WEDGE] if number in VTK_TURNED else rows)
     kept = np.isin(types, [*VTK_KINDS, 11])
     cell_arrays, point_arrays = (
         {
@@ -129,8 +132,8 @@ def by_meshio(path: Path) -> Reading:
             continue
         rows = np.asarray(block.data)[:, : CORNERS[kind]]
         turned = kind == "wedge" and (
-            block.type == "wedge" or not of_vtk
-        )  # it turns VTK's linear wedges itself
+            block.type != "wedge15" or not of_vtk
+        )  # of VTK it turns linear wedges itself, and type 26 is as they are
         corners[kind].append(rows[:, OTHER_WEDGE] if turned else rows)
         kept.append(place)
     points = np.asarray(mesh.points, dtype=float)
@@ -144,7 +147,11 @@ def by_meshio(path: Path) -> Reading:
             for name, rows in mesh.cell_data.items()
             if kept
         },
-        {MESHIO_NAMES.get(name, name): np.asarray(rows) for name, rows in mesh.point_data.items()},
+        {
+            MESHIO_NAMES.get(name, name): np.asarray(rows)
+            for name, rows in mesh.point_data.items()
+            if name != "gmsh:dim_tags"
+        },
     )
 
 
