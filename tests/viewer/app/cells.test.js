@@ -21,7 +21,7 @@ function parts(/** @type {object} */ colour, shares = 3) {
     measure_sizes: () => --left <= 0,
   };
   const client = {
-    call: async (/** @type {keyof answers} */ method, /** @type {[any, any]} */ args = []) => {
+    call: async (/** @type {keyof answers} */ method, /** @type {any[]} */ args = []) => {
       asked.push([method, ...args]);
       await new Promise((resolve) => setTimeout(resolve));
       return /** @type {any} */ (answers[method])(...args);
