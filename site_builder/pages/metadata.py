@@ -29,7 +29,7 @@ AUTHORS_NOTE = (
     "The data belong to the authors of the paper; for any use but looking at them, ask the authors."
 )
 
-FORMAT_NAMES = {ending: row.name for row in FORMATS for ending in row.extensions}
+FORMAT_NAMES = {ending: row.name for row in reversed(FORMATS) for ending in row.extensions}
 
 TECHNIQUE = (
     "Metrics of the Verdict library; edges by the cells around them; validity certified by Bézier bounds"

@@ -108,8 +108,9 @@ class Assembly:
         for block in blocks:
             check_ids(block, vertex_count)
         if self.left_out:
-            names = ", ".join(f"{count} {kind}" for kind, count in sorted(self.left_out.items()))
-            self.note(f"Left out, as they are no volumetric cells that can be shown: {names}.")
+            self.note(
+                f"Left out, as they are no volumetric cells that can be shown: {self.counts_left_out()}."
+            )
         corners, kinds = joined(blocks)
         return Mesh(
             self.coordinates,
@@ -131,8 +132,11 @@ class Assembly:
             return f"the file has no cells: {wanted}" + (
                 f" ({' '.join(self.notes[:2])})" if self.notes else ""
             )
-        names = ", ".join(f"{count} {kind}" for kind, count in sorted(self.left_out.items()))
-        return f"the file has no volumetric cells, only {names}: {wanted}"
+        return f"the file has no volumetric cells, only {self.counts_left_out()}: {wanted}"
+
+    def counts_left_out(self) -> str:
+        """What is left out with its numbers: "lines (2), triangles (1)"."""
+        return ", ".join(f"{kind} ({count})" for kind, count in sorted(self.left_out.items()))
 
 
 def check_ids(block: CellBlock, vertex_count: int) -> None:

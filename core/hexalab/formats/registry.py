@@ -7,14 +7,30 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from ..mesh import Mesh
-from . import abaqus, gmsh, medit, meditb, openvolumemesh, vtk_legacy, vtu, write_medit, write_vtk, write_vtu
+from . import (
+    abaqus,
+    gmsh,
+    medit,
+    meditb,
+    mfem,
+    openvolumemesh,
+    ucd,
+    vtk_legacy,
+    vtu,
+    write_medit,
+    write_vtk,
+    write_vtu,
+)
 from .file import File
+from .foreign import foreign
 
 HEAD = 8192
 """Bytes from the file's start that the content is judged by."""
 
 START = rb"(?:\s|\xef\xbb\xbf)*"
 """What may stand before a text file's first word: white space, a byte order mark."""
+
+START_OR_COMMENT = rb"(?:\s|\xef\xbb\xbf|#[^\r\n]*[\r\n])*"
 
 
 @dataclass(frozen=True)
@@ -53,7 +69,7 @@ FORMATS: tuple[Format, ...] = (
         "mesh",
         "Medit ASCII",
         (".mesh",),
-        re.compile(rb"(?:\s|\xef\xbb\xbf|#[^\r\n]*[\r\n])*MeshVersionFormatted\b", re.I),
+        re.compile(START_OR_COMMENT + rb"MeshVersionFormatted\b", re.I),
         medit.read,
         write_medit.write,
         keeps=(medit.REFERENCE,),
@@ -90,6 +106,14 @@ FORMATS: tuple[Format, ...] = (
         re.compile(START + rb"\*(?:\*|HEADING|NODE\b|PART|INCLUDE)", re.I),
         abaqus.read,
     ),
+    Format("mfem", "MFEM", (".mesh",), re.compile(START_OR_COMMENT + rb"MFEM\s"), mfem.read),
+    Format(
+        "ucd",
+        "AVS UCD",
+        (".inp", ".ucd"),
+        re.compile(START_OR_COMMENT + rb"\d+[ \t]+\d+[ \t]+\d+[ \t]+\d+[ \t]+\d+[ \t]*[\r\n]|\x07\x00"),
+        ucd.read,
+    ),
 )
 """The formats that are read, as rows with `id`, `name`, `extensions` and more; a row that has a `writer` is written."""
 
@@ -100,15 +124,17 @@ def choose(file: File) -> Format:
     Raises
     ------
     MeshReadError
-        Neither tells.
+        Neither tells, or the content is of a format that is known and not read.
     """
     head = file.data[:HEAD]
     for row in FORMATS:
         if row.recognise.match(head):
             return row
+    known = ", ".join(dict.fromkeys(extension for row in FORMATS for extension in row.extensions))
+    if other := foreign(head, file.name):
+        raise file.error(f"this is {other.name}, which is not read: {other.advice} {known}")
     name = file.name.lower().removesuffix(".gz")
     for row in FORMATS:
         if name.endswith(row.extensions):
             return row
-    known = ", ".join(extension for row in FORMATS for extension in row.extensions)
     raise file.error(f"neither the content nor the name tells of a known format, expected one of {known}")

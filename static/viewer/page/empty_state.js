@@ -3,7 +3,7 @@ import { h } from "../widgets/dom.js";
 
 /** What stands where the mesh will be. @param {import("../widgets/bind.js").Context} context */
 export function emptyState(context) {
-  const formats = context.tables.formats.flatMap(({ extensions }) => extensions).join(" ");
+  const formats = [...new Set(context.tables.formats.flatMap(({ extensions }) => extensions))].join(" ");
   const open = h(
     "button",
     {

@@ -17,7 +17,9 @@ from hexalab.mesh import Mesh
 from tests.core.formats.samples import HEX_22, INP_CELLS, INP_NODES, MESHIO_NAMES, grid, mixed
 from tests.core.formats.test_medit import text_of
 from tests.core.formats.test_meditb import meshb
+from tests.core.formats.test_mfem import mfem
 from tests.core.formats.test_openvolumemesh import ovm
+from tests.core.formats.test_ucd import ucd
 
 NUMBERS = [
     b"0", b"-1", b"1", b"7", b"2147483647", b"2147483648", b"4294967296", b"-9223372036854775808",
@@ -39,6 +41,10 @@ def seeds() -> tuple[tuple[str, bytes], ...]:
     out += [(f"a.{format_id}", write_bytes(mesh, format_id)) for format_id in ("mesh", "vtk", "vtu")]
     out += [("a.msh", HEX_22.encode()), ("b.inp", (INP_NODES + INP_CELLS).encode())]
     out.append(("a.ovm", ovm(sample, tail='CProp int "q"\n1 2 3 4 5\n').encode()))
+    out += [
+        ("a.ucd", ucd(hexahedra, tail="1 1\nq, m\n7 1.5\n8 2\n", counts="0 1 0")),
+        ("c.mesh", mfem(sample)),
+    ]
     out.append(("a.mesh.gz", gzip.compress(text_of(sample).encode())))
     return tuple(
         out + (files_of_vtk() + files_of_meshio() if find_spec("vtk") and find_spec("meshio") else [])

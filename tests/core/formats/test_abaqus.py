@@ -59,7 +59,7 @@ def test_R5_mixed_elements_and_what_is_left_out() -> None:
     mesh = read_bytes(text.encode(), "x.inp")
     assert mesh.kind_counts == {"hexahedron": 1, "tetrahedron": 2, "wedge": 1}
     assert (signed_volumes(mesh)[:3] > 0).all()
-    assert "2 elements of type S4R" in mesh.notes[2] and "higher order" in mesh.notes[0]
+    assert "elements of type S4R (2)" in mesh.notes[2] and "higher order" in mesh.notes[0]
 
 
 def test_R5_quadratic_hexahedra_over_two_lines() -> None:

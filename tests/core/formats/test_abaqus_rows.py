@@ -155,7 +155,7 @@ def test_R5_what_is_no_volume_is_left_out_by_name(kind: str) -> None:
     mesh = read_bytes(text.encode(), "x.inp")
     assert mesh.cell_count == 1
     assert mesh.notes == [
-        f"Left out, as they are no volumetric cells that can be shown: 2 elements of type {kind}."
+        f"Left out, as they are no volumetric cells that can be shown: elements of type {kind} (2)."
     ]
 
 
@@ -164,7 +164,7 @@ def test_R5_faces_of_fluid_cavities_are_no_tetrahedra() -> None:
     faces = "*Element, type=F3D4\n2, 1, 2, 3, 4\n*FLUID PROPERTY, ELSET=e, REF NODE=9\n"
     mesh = read_bytes((nodes() + ELEMENT + faces).encode(), "x.inp")
     assert mesh.kind_counts == {"hexahedron": 1}
-    assert "1 faces of fluid cavities" in mesh.notes[0]
+    assert "faces of fluid cavities, of type F3D4 (1)" in mesh.notes[0]
 
 
 def test_R5_names_of_sets_in_one_note() -> None:

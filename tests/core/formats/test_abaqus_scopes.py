@@ -116,7 +116,7 @@ def test_R5_what_is_left_out_is_counted_where_it_appears() -> None:
     text = assembly(instance("one"), instance("two", "2, 0, 0\n")).replace(
         b"*End Part", shell.encode() + b"*End Part"
     )
-    assert "4 elements of type S4R" in read_bytes(text, "x.inp").notes[0]
+    assert "elements of type S4R (4)" in read_bytes(text, "x.inp").notes[0]
 
 
 def test_R10_an_instance_without_a_place() -> None:

@@ -85,7 +85,7 @@ def test_R10_what_is_no_mesh_is_named(data: bytes, words: str) -> None:
 
 def test_R10_unknown_content_and_name() -> None:
     with pytest.raises(MeshReadError, match=r"expected one of \.mesh, "):
-        read_bytes(b"solid cube\nfacet normal 0 0 1", "x.stl")
+        read_bytes(b"some notes on meshes", "x.txt")
     for row in FORMATS:
         with pytest.raises(MeshReadError):
             read_bytes(b"solid cube\nfacet normal 0 0 1", "x" + row.extensions[0])

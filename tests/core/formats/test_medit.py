@@ -160,7 +160,7 @@ def test_R1_higher_order_cells_keep_their_corners() -> None:
         ("Vertices\n8", "Vertices\n" + "8" * 5000, ["line 4", "whole number"]),
         ("Dimension 3", "Dimension 2", ["line 2", "expected 3"]),
         ("Hexahedra\n1\n1 2 3 4 5 6 7 8 0\n", "", ["no cells"]),
-        ("Hexahedra\n1\n1 2 3 4 5 6 7 8 0\n", "Quads\n1\n1 2 3 4 0\n", ["no volumetric cells", "1 quadrilaterals"]),
+        ("Hexahedra\n1\n1 2 3 4 5 6 7 8 0\n", "Quads\n1\n1 2 3 4 0\n", ["no volumetric cells", "quadrilaterals (1)"]),
         ("Hexahedra", "Vertices\n1\n0 0 0 0\nHexahedra", ["second section Vertices"]),
     ],
 )  # fmt: skip

@@ -163,7 +163,7 @@ def test_R3_other_polyhedra_are_counted_as_left_out(tmp_path: Path) -> None:
     for name, data in forms(points, cells, tmp_path).items():
         mesh = read_bytes(data, name)
         assert mesh.kind_counts == {"hexahedron": 1}, name
-        assert "3 polyhedra" in mesh.notes[-1]
+        assert "polyhedra (3)" in mesh.notes[-1]
 
 
 def test_R8_attributes_stay_with_the_cells_that_are_rebuilt(tmp_path: Path) -> None:
@@ -197,9 +197,9 @@ GOOD = old_vtu(grid(1, 1, 1).points, [faces_of(*grid(1, 1, 1).cells[0], np.rando
     [
         (b">31</", b">32</", ["faceoffsets should rise from 0 to 31"]),
         (b">31</", b">31 31</", ["faceoffsets has 2 entries, expected one for each of 1 cells"]),
-        (b'"faces" Num', b'"fases" Num', ["no volumetric cells, only 1 polyhedra"]),
-        (b">6 4 ", b">5 4 ", ["no volumetric cells, only 1 polyhedra"]),
-        (b">6 4 ", b">6 99999 ", ["no volumetric cells, only 1 polyhedra"]),
+        (b'"faces" Num', b'"fases" Num', ["no volumetric cells, only polyhedra (1)"]),
+        (b">6 4 ", b">5 4 ", ["no volumetric cells, only polyhedra (1)"]),
+        (b">6 4 ", b">6 99999 ", ["no volumetric cells, only polyhedra (1)"]),
     ],
 )
 def test_R10_bad_faces(old: bytes, new: bytes, words: list[str]) -> None:

@@ -145,7 +145,7 @@ def test_R3_a_lagrange_wedge_is_numbered_the_other_way_round_than_a_linear_one()
 
 @pytest.mark.parametrize("case", ["quadratic-quad", "polyvertex-of-8", "triangle-strip-of-8"])
 def test_R3_rows_of_eight_that_are_no_cells_are_left_out(case: str) -> None:
-    with pytest.raises(MeshReadError, match="no volumetric cells, only 1 "):
+    with pytest.raises(MeshReadError, match=r"no volumetric cells, only [a-z -]+ \(1\)"):
         read(CASES / f"vtk-{case}.vtk")
 
 
@@ -153,7 +153,7 @@ def test_R3_rows_of_eight_that_are_no_cells_are_left_out(case: str) -> None:
 def test_R3_rows_of_eight_beside_hexahedra_are_left_out(number: int) -> None:
     text = (CASES / "vtk-quadratic-quad.vtk").read_text().replace("1 9\n", "2 18\n8 0 1 2 3 4 5 6 7\n")
     mesh = read_bytes(text.replace("TYPES 1\n23", f"TYPES 2\n12\n{number}").encode(), "x.vtk")
-    assert mesh.kind_counts == {"hexahedron": 1} and "1 " in mesh.notes[-1]
+    assert mesh.kind_counts == {"hexahedron": 1} and "(1)" in mesh.notes[-1]
 
 
 @pytest.mark.parametrize(

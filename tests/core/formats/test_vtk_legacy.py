@@ -146,7 +146,7 @@ def test_R3_quadratic_faces_beside_hexahedra_are_left_out() -> None:
     insert(data, 7, [0, 1, 2, 3, 4, 5, 6, 7])
     mesh = read_bytes(legacy(data, 51, True), "x.vtk")
     check(mesh, sample)
-    assert "1 polygons" in mesh.notes[0] and "1 quadratic quadrilaterals" in mesh.notes[0]
+    assert "polygons (1)" in mesh.notes[0] and "quadratic quadrilaterals (1)" in mesh.notes[0]
 
 
 def test_R3_no_cell_types() -> None:
@@ -222,7 +222,7 @@ def test_R3_metadata_by_hand() -> None:
         (cube().replace(b"1 0 1 1 1", b"1 0 1e400 1 1"), ["line 7", "inf"]),
         (cube().replace(b"double", b"string"), ["string"]),
         (cube("CELLS 1 4\n3 0 1 2", type=10), ["tetrahedra", "has 3 corners", "expected 4"]),
-        (cube("CELLS 1 4\n3 0 1 2", type=5), ["no volumetric cells", "1 triangles"]),
+        (cube("CELLS 1 4\n3 0 1 2", type=5), ["no volumetric cells", "triangles (1)"]),
         (cube() + b"POINTS 1 float\n0 0 0\n", ["second section POINTS"]),
         (cube() + COUNTED.encode(), ["second section CELLS"]),
         (cube().split(b"CELLS")[0], ["before its section CELLS"]),
