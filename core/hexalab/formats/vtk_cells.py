@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import CHUNK, Array, Floats, Ids
-from ..cells import KINDS
+from ..cells import KINDS, WEDGE
 from ..errors import MeshReadError
 from .assembly import Assembly, CellBlock, check_ids
 from .byte_order import native, stretches
@@ -24,7 +24,7 @@ from .ids import as_int32, within_int32
 from .row_chain import ErrorAt
 from .vtk_polyhedra import stream_loops
 from .vtk_types import CELL_TYPES, HEXAHEDRON_TYPE, MAY_HAVE_EIGHT, POLYHEDRON, VOXEL, CellType
-from .vtk_wedges import CHANGED_TYPES, ChangedWedges
+from .vtk_wedges import WedgeNumbering
 
 VOXEL_SAMPLE = 4096
 """Voxels that tell in which order all of them were written."""
@@ -48,8 +48,8 @@ class Rows:
         `error_at(message, index)` makes the error for `ids[index]`.
     orientation : Orientation
         Gets the cells that are rebuilt from polyhedra; to be settled when the whole file is read.
-    wedges : ChangedWedges
-        Gets the wedges whose numbering has changed; to be settled, too.
+    wedges : WedgeNumbering
+        Gets the wedges, whose numbering may be another; to be settled, too.
     faces : callable, optional
         The loops of the faces of polyhedra, given their rows; by default the rows themselves are streams of faces.
     """
@@ -60,7 +60,7 @@ class Rows:
     types: Array | None
     error_at: ErrorAt
     orientation: Orientation = field(default_factory=lambda: Orientation(inwards=False, faces="faces"))
-    wedges: ChangedWedges = field(default_factory=ChangedWedges)
+    wedges: WedgeNumbering = field(default_factory=WedgeNumbering)
     faces: Callable[[Array], Array] | None = None
 
     @property
@@ -190,8 +190,8 @@ def add_type(
         if written_as_hexahedra(block.corners, out.coordinates):
             block.corners = block.corners[[0, 1, 3, 2, 4, 5, 7, 6]]
             out.note("The voxels have their corners in the order of hexahedra and were read in that order.")
-    if number in CHANGED_TYPES and out.coordinates is not None:
-        rows.wedges.add(block, out.coordinates)
+    if cell_type.kind == WEDGE and out.coordinates is not None:
+        rows.wedges.add(number, block, out.coordinates)
     out.blocks.append(block)
 
 

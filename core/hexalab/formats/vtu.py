@@ -15,7 +15,7 @@ from .tokens import quoted
 from .vtk_cells import Rows, add_cells, spans
 from .vtk_datasets import refusal
 from .vtk_types import POLYHEDRON
-from .vtk_wedges import ChangedWedges
+from .vtk_wedges import WedgeNumbering
 from .vtu_arrays import Arrays
 from .vtu_faces import FacesOfPiece
 from .xml_tags import Element, parse
@@ -46,7 +46,7 @@ class Reader:
         self.arrays = Arrays(file, top, top.first("AppendedData"))
         self.vertex_count = 0
         self.orientation = Orientation(inwards=False, faces="faces")
-        self.wedges = ChangedWedges()
+        self.wedges = WedgeNumbering()
 
     def read(self) -> Mesh:
         """Read the pieces and join them, their vertices and cells one after the other.
