@@ -13,7 +13,7 @@ from . import formats
 from .cells import KINDS
 from .diagnosis import Finding, diagnose, turn_round
 from .errors import HexaLabError, MeshReadError, MeshWriteError
-from .formats import FORMATS, write
+from .formats import FORMATS, WRITERS, write
 from .mesh import Mesh
 from .quality import METRICS, Metric, Validity, certify, histogram, quality, quality_many, statistics
 from .summary import summarise
@@ -24,6 +24,7 @@ __all__ = [
     "FORMATS",
     "KINDS",
     "METRICS",
+    "WRITERS",
     "Finding",
     "HexaLabError",
     "Mesh",

@@ -12,7 +12,7 @@ from typing import Any, TypedDict
 
 from markupsafe import Markup, escape
 
-from hexalab.formats import FORMATS
+from hexalab.formats import FORMATS, WRITERS
 from hexalab.formats.registry import Format
 from hexalab.quality import METRICS
 from hexalab.quality.metrics import Metric
@@ -143,4 +143,5 @@ def formula(text: str) -> Markup:
 
 
 def _format_row(one: Format) -> FormatRow:
-    return {"name": one.name, "extensions": ", ".join(one.extensions), "writes": "yes" if one.writer else ""}
+    writes = "; ".join(row.name for row in WRITERS if row.format == one.id)
+    return {"name": one.name, "extensions": ", ".join(one.extensions), "writes": writes}

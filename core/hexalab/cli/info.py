@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from .. import FORMATS, METRICS, MeshReadError, certify, read, summarise
+from ..diagnosis import TURNED
 from ..mesh import Mesh
 from . import FINDING, MISUSE, complain
 from .tables import count, quality_table
@@ -20,7 +21,11 @@ def configure(parser: ArgumentParser) -> None:
     """Declare the verb's arguments."""
     parser.add_argument("files", nargs="+", metavar="FILE", help="a mesh file; may be gzipped")
     parser.add_argument("--json", action="store_true", help="print one JSON object per file, a line each")
-    parser.add_argument("--strict", action="store_true", help="exit with 1 if a mesh has an invalid cell")
+    parser.add_argument(
+        "--strict",
+        action="store_true",
+        help="exit with 1 if a mesh has an invalid cell, or was inverted as a whole",
+    )
     parser.set_defaults(run=run)
 
 
@@ -41,7 +46,7 @@ def run(arguments: Namespace) -> int:
         else:
             print("\n" * printed + described(facts))
         printed = True
-        if arguments.strict and code != MISUSE and has_invalid_cell(mesh):
+        if arguments.strict and code != MISUSE and (TURNED in mesh.notes or has_invalid_cell(mesh)):
             code = FINDING
     return code
 

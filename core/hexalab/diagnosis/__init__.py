@@ -15,9 +15,9 @@ from ..arrays import Array, Ids
 from ..cells import CORNERS_OF_KIND, KINDS
 from ..mesh import Mesh
 from .coincidence import coincident_vertices
-from .orientation import TURNED, signs, turn_round
+from .orientation import TURNED, all_inverted, signs, turn_round
 
-__all__ = ["SEVERITIES", "Finding", "diagnose", "turn_round"]
+__all__ = ["SEVERITIES", "TURNED", "Finding", "all_inverted", "diagnose", "turn_round"]
 
 Severity = Literal["error", "warning", "note"]
 SEVERITIES: tuple[Severity, ...] = ("error", "warning", "note")

@@ -16,8 +16,19 @@ from .companions import beside, together
 from .container import unwrapped
 from .file import File
 from .registry import FORMATS, Format, choose
+from .writers import WRITERS, Writer, left_behind, packed, writer_of
 
-__all__ = ["FORMATS", "Format", "left_behind", "read", "read_bytes", "write", "write_bytes"]
+__all__ = [
+    "FORMATS",
+    "WRITERS",
+    "Format",
+    "Writer",
+    "read",
+    "read_bytes",
+    "write",
+    "write_bytes",
+    "writer_of",
+]
 
 
 def read_bytes(
@@ -80,7 +91,7 @@ def read(file: str | os.PathLike[str] | BinaryIO) -> Mesh:
 
 
 def write_bytes(mesh: Mesh, format_id: str) -> bytes:
-    """The bytes of a file of that format (a row of FORMATS that has a writer).
+    """The bytes of a file of that format (a row of WRITERS).
 
     Raises
     ------
@@ -90,54 +101,36 @@ def write_bytes(mesh: Mesh, format_id: str) -> bytes:
         An attribute that the mesh was given since it was made has not a row for each vertex or cell.
     """
     mesh.check_data()
-    for row in FORMATS:
-        if row.id == format_id and row.writer:
-            return row.writer(mesh)
-    known = ", ".join(row.id for row in FORMATS if row.writer)
-    raise MeshWriteError(f"meshes can't be written as ‘{format_id}’, expected one of {known}")
+    return writer_of(Path(), format_id).write(mesh)
 
 
-def write(mesh: Mesh, path: str | os.PathLike[str]) -> None:
-    """Write a mesh to a file; the path's ending tells the format.
+def write(mesh: Mesh, path: str | os.PathLike[str], format_id: str | None = None) -> list[str]:
+    """Write a mesh to a file.
 
     Parameters
     ----------
     mesh : Mesh
     path : str or path
-        Ends in an extension of one of the `FORMATS` that have a writer.
+        Its ending tells the format, if `format_id` does not; with .gz at its end the file is gzipped.
+    format_id : str, optional
+        Row of `WRITERS`, such as "msh2" for version 2.2 of Gmsh's format.
+
+    Returns
+    -------
+    list of str
+        A sentence for each thing of the mesh that the format has no place for; none if all of it was written.
 
     Raises
     ------
     MeshWriteError
-        No format that can be written has that ending, or the file can't be written.
+        No format that can be written has that ending or id, or the file can't be written.
     ValueError
         An attribute that the mesh was given since it was made has not a row for each vertex or cell.
     """
     path = Path(path)
-    row = _written_as(path)
+    row = writer_of(path, format_id)
     try:
-        path.write_bytes(write_bytes(mesh, row.id))
+        path.write_bytes(packed(write_bytes(mesh, row.id), path))
     except OSError as error:
         raise MeshWriteError(f"{path} can't be written: {error.strerror or error}") from None
-
-
-def left_behind(mesh: Mesh, path: str | os.PathLike[str]) -> list[str]:
-    """Names of the mesh's attributes for which the format of a file to be written has no place.
-
-    Raises
-    ------
-    MeshWriteError
-        No format that can be written has the path's ending.
-    """
-    keeps = _written_as(Path(path)).keeps
-    names = dict.fromkeys([*mesh.point_data, *mesh.cell_data])
-    return [] if keeps is None else [name for name in names if name not in keeps]
-
-
-def _written_as(path: Path) -> Format:
-    """The format that the path's ending tells."""
-    for row in FORMATS:
-        if row.writer and path.suffix.lower() in row.extensions:
-            return row
-    known = ", ".join(extension for row in FORMATS if row.writer for extension in row.extensions)
-    raise MeshWriteError(f"{path.name}: meshes can't be written with this ending, expected one of {known}")
+    return left_behind(mesh, row)

@@ -17,9 +17,6 @@ from . import (
     ucd,
     vtk_legacy,
     vtu,
-    write_medit,
-    write_vtk,
-    write_vtu,
 )
 from .file import File
 from .foreign import foreign
@@ -40,7 +37,7 @@ class Format:
     Parameters
     ----------
     id : str
-        Short name, in `Mesh.format` and for `write_bytes`.
+        Short name, in `Mesh.format`.
     name : str
         What a user calls it.
     extensions : tuple of str
@@ -49,10 +46,6 @@ class Format:
         What the first bytes of such a file match.
     reader : callable
         File in, Mesh out; raises MeshReadError.
-    writer : callable or None
-        Mesh in, bytes out.
-    keeps : tuple of str or None
-        The attributes that it has a place for when written; None for all.
     """
 
     id: str
@@ -60,8 +53,6 @@ class Format:
     extensions: tuple[str, ...]
     recognise: re.Pattern[bytes]
     reader: Callable[[File], Mesh]
-    writer: Callable[[Mesh], bytes] | None = None
-    keeps: tuple[str, ...] | None = None
 
 
 FORMATS: tuple[Format, ...] = (
@@ -71,8 +62,6 @@ FORMATS: tuple[Format, ...] = (
         (".mesh",),
         re.compile(START_OR_COMMENT + rb"MeshVersionFormatted\b", re.I),
         medit.read,
-        write_medit.write,
-        keeps=(medit.REFERENCE,),
     ),
     Format(
         "vtk",
@@ -80,7 +69,6 @@ FORMATS: tuple[Format, ...] = (
         (".vtk",),
         re.compile(START + rb"#\s*vtk\s+DataFile", re.I),
         vtk_legacy.read,
-        write_vtk.write,
     ),
     Format(
         "vtu",
@@ -88,7 +76,6 @@ FORMATS: tuple[Format, ...] = (
         (".vtu",),
         re.compile(START + rb"<(?:\?xml|!--|VTKFile)"),
         vtu.read,
-        write_vtu.write,
     ),
     Format(
         "meshb",
@@ -115,7 +102,7 @@ FORMATS: tuple[Format, ...] = (
         ucd.read,
     ),
 )
-"""The formats that are read, as rows with `id`, `name`, `extensions` and more; a row that has a `writer` is written."""
+"""The formats that are read, as rows with `id`, `name`, `extensions` and more."""
 
 
 def choose(file: File) -> Format:

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..arrays import CHUNK, Array
-from ..cells import CORNERS_OF_KIND
+from ..arrays import Array
 from ..mesh import Mesh
 from .medit import REFERENCE
-from .medit_keywords import ORDERS
+from .writing import formatted, own_corners
 
 SECTIONS = ("Hexahedra", "Prisms", "Pyramids", "Tetrahedra")
 """For each kind, the keyword of its section."""
@@ -29,9 +28,8 @@ def write(mesh: Mesh) -> bytes:
         which = np.flatnonzero(mesh.kinds == kind)
         if not len(which):
             continue
-        own = np.array(CORNERS_OF_KIND[kind])[list(ORDERS.get(kind, range(len(CORNERS_OF_KIND[kind]))))]
         parts.append(f"{keyword}\n{len(which)}\n".encode())
-        rows = [mesh.corners[place][which].astype(np.int64) + 1 for place in own]
+        rows = [corner + 1 for corner in own_corners(mesh, kind, which)]
         parts += formatted("%d " * len(rows) + "%d\n", [*rows, references[which]])
     return b"".join([*parts, b"End\n"])
 
@@ -41,13 +39,3 @@ def whole_numbers(values: Array | None, count: int) -> Array:
     if values is None or values.ndim != 1 or values.dtype.kind not in "iu":
         return np.zeros(count, dtype=np.int32)
     return values
-
-
-def formatted(row: str, columns: list[Array]) -> list[bytes]:
-    """The columns as text, chunk by chunk, each row formatted alike."""
-    out = []
-    for start in range(0, len(columns[0]), CHUNK):
-        lists = [column[start : start + CHUNK].tolist() for column in columns]
-        numbers = [number for entry in zip(*lists, strict=True) for number in entry]
-        out.append((row * len(lists[0]) % tuple(numbers)).encode())
-    return out

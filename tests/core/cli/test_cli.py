@@ -11,6 +11,7 @@ import re
 import subprocess
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +20,7 @@ import pytest
 
 from hexalab import cli, read, write
 from hexalab.cli.tables import number
+from hexalab.diagnosis import TURNED
 from hexalab.quality import METRICS
 from tests.tools import needs
 
@@ -116,7 +118,7 @@ def test_R9_a_mesh_of_inverted_cells_is_turned_round_and_that_is_told(
     path = tmp_path / "inverted.mesh"
     path.write_bytes(grid(2, 2, 2, inverted=True))
     code, out, _ = run("info", "--strict", path)
-    assert code == 0
+    assert code == 1
     assert "turned" in out
     facts = json.loads(run("info", "--json", path)[1])
     assert facts["quality"]["volume"]["min"] == 1
@@ -163,7 +165,7 @@ def test_A2_quality_table(run: Run, mesh_file: Path) -> None:
     assert out.splitlines()[2].split() == ["Skew", *["0.000"] * 5, "0", "0"]
 
 
-@pytest.mark.parametrize("ending", ["mesh", "vtk", "vtu"])
+@pytest.mark.parametrize("ending", ["mesh", "vtk", "vtu", "meshb", "msh", "inp", "msh.gz"])
 def test_A2_convert(run: Run, mesh_file: Path, tmp_path: Path, ending: str) -> None:
     target = tmp_path / f"out.{ending}"
     code, out, err = run("convert", mesh_file, target)
@@ -181,8 +183,24 @@ def test_R9_what_reading_assumed_is_told_when_converting(
     path.write_bytes(grid(1, 1, 1, inverted=True))
     code, _, err = run("convert", path, tmp_path / "out.vtk")
     assert code == 0
-    assert "turned round" in err
+    assert "--orient turns the mesh round" in err
+    assert read(tmp_path / "out.vtk").notes == [TURNED]
+    code, _, err = run("convert", "--orient", path, tmp_path / "out.vtk")
+    assert code == 0
+    assert "has been turned round" in err
     assert read(tmp_path / "out.vtk").notes == []
+
+
+def test_R8_numbers_are_kept_or_told(run: Run, mesh_file: Path, tmp_path: Path) -> None:
+    mesh = read(mesh_file)
+    numbered = replace(mesh, cell_numbers=np.arange(mesh.cell_count) * 7 + 100)
+    assert write(numbered, tmp_path / "in.inp") == []
+    code, _, err = run("convert", "--format", "msh2", tmp_path / "in.inp", tmp_path / "out.txt")
+    assert (code, err) == (0, "")
+    assert (tmp_path / "out.txt").read_text().startswith("$MeshFormat\n2.2 ")
+    assert (read(tmp_path / "out.txt").cell_numbers == numbered.cell_numbers).all()
+    code, _, err = run("convert", tmp_path / "out.txt", tmp_path / "out.vtk")
+    assert "no place for the numbers of elements" in err and "nodes" not in err
 
 
 @pytest.mark.parametrize(("ending", "lost"), [("mesh", True), ("vtu", False)])

@@ -111,5 +111,5 @@ def test_A1_vtk_reads_vtu_files_whatever_their_arrays_are_called(tmp_path: Path,
 
 
 def test_A1_unknown_format_is_refused() -> None:
-    with pytest.raises(MeshWriteError, match="mesh, vtk, vtu"):
-        write_bytes(sample_mesh(grid(1, 1, 1)), "msh")
+    with pytest.raises(MeshWriteError, match="mesh, vtk, vtu, meshb, msh, msh2, inp"):
+        write_bytes(sample_mesh(grid(1, 1, 1)), "stl")
