@@ -18,7 +18,13 @@ from .cells import CORNERS_OF_KIND, HEXAHEDRON
 from .errors import HexaLabError
 from .mesh import Mesh
 
+LARGEST_SUMMAND = float(np.finfo(np.float64).max) / 8
+"""Eight numbers no larger than this add up to a number."""
+
 AXES = "xyz"
+SQUARES_HOLD = 500
+"""Squares of numbers between 2^-500 and 2^500 neither vanish nor overflow."""
+
 MOST_COMPONENTS = 9
 """Of an array with more components (a tensor has nine) only the magnitude is offered."""
 
@@ -71,11 +77,23 @@ def own_values(mesh: Mesh, attribute: Attribute) -> Floats:
         return array.astype(np.float64)
     if attribute.component is not None or array.shape[1] == 1:
         return np.asarray(array[:, attribute.component or 0], dtype=np.float64)
+    return magnitudes(array)
+
+
+def magnitudes(array: Array) -> Floats:
+    """Return the length of each row, (n,) float64, though squares pass what float64 holds."""
+    low, high = finite_range(array.astype(np.float64, copy=False)) or (0.0, 0.0)
+    exponent = int(np.frexp(max(high, -low))[1])
+    exponent = exponent if abs(exponent) > SQUARES_HOLD else 0
     squares = np.zeros(len(array))
-    for column in array.T:
-        number = column.astype(np.float64)
-        squares += number * number
-    return np.sqrt(squares)
+    with np.errstate(over="ignore"):
+        for column in array.T:
+            number = column.astype(np.float64)
+            if exponent:
+                number = np.ldexp(number, -exponent)
+            squares += number * number
+        lengths: Floats = np.sqrt(squares)
+        return np.ldexp(lengths, exponent) if exponent else lengths
 
 
 def cell_values(mesh: Mesh, attribute: str | Attribute) -> Floats:
@@ -112,6 +130,9 @@ def average_corners(values: Floats, corners: Ids, kinds: NDArray[np.uint8]) -> F
         A hexahedron that repeats a vertex counts it as often as it names it.
     """
     out = np.empty(corners.shape[1])
+    low, high = finite_range(values) or (0.0, 0.0)
+    if max(high, -low) > LARGEST_SUMMAND:
+        return 8 * average_corners(values / 8, corners, kinds)
     for start in range(0, corners.shape[1], CHUNK):
         part = slice(start, start + CHUNK)
         total = values[corners[0, part]]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -160,13 +160,33 @@ class Mesh:
     def centre(self) -> Floats:
         """(3,) float64: middle of the extent."""
         low, high = self.extent
-        return np.asarray(low + (high - low) / 2)
+        return np.asarray(low / 2 + high / 2)
 
     @property
     def diagonal(self) -> float:
         """Length of the extent's diagonal; 1 if the mesh is a single point."""
         low, high = self.extent
-        return float(np.sqrt(((high - low) ** 2).sum())) or 1.0
+        with np.errstate(over="ignore"):
+            sides = high - low
+            squared = float((sides * sides).sum())
+            within = 1e-300 < squared < 1e300
+            return (float(np.sqrt(squared)) if within else float(np.hypot.reduce(sides))) or 1.0
+
+    @cached_property
+    def within_reach(self) -> tuple[Mesh, int]:
+        """A mesh to compute with, and the power of two that its coordinates have to be multiplied with.
+
+        It is this one, and 0, where the longest side of the extent is between 2^-50 and 2^50. Of coordinates beyond,
+        products pass what float64 can hold; so they are scaled until the side is about 1, which is exact.
+        """
+        low, high = self.extent
+        half = float((high / 2 - low / 2).max())
+        if half == 0 or not np.isfinite(half) or 2.0**-51 <= half <= 2.0**49:
+            return self, 0
+        exponent = int(np.frexp(half)[1]) + 1
+        with np.errstate(over="ignore"):
+            coordinates = np.ldexp(self.coordinates, -exponent)
+        return replace(self, coordinates=coordinates), exponent
 
     @cached_property
     def barycentres(self) -> Floats:

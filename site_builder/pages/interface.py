@@ -20,7 +20,10 @@ import hexalab
 CORE = Path(hexalab.__file__).resolve().parents[1]
 
 GROUPS = (
-    ("Reading and writing", ("read", "write", "FORMATS", "WRITERS", "MeshReadError", "MeshWriteError", "HexaLabError")),
+    (
+        "Reading and writing",
+        ("read", "write", "FORMATS", "WRITERS", "MeshReadError", "MeshWriteError", "HexaLabError"),
+    ),
     ("The mesh", ("Mesh", "KINDS", "summarise")),
     ("Quality", ("quality", "quality_many", "METRICS", "Metric", "statistics", "histogram")),
     ("Validity and diagnosis", ("certify", "Validity", "diagnose", "Finding")),

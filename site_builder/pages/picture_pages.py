@@ -53,6 +53,7 @@ class MetricRow(TypedDict):
 
     name: str
     symbol: str
+    variant: str
     full: str
     acceptable: str
     cube: str
@@ -116,6 +117,7 @@ def _metric_row(metric: Metric) -> MetricRow:
     return {
         "name": metric.name,
         "symbol": metric.symbol,
+        "variant": metric.variant,
         "full": interval(metric.full_range),
         "acceptable": interval(metric.acceptable_range) if metric.acceptable_range else NOT_KNOWN,
         "cube": cube,

@@ -23,6 +23,7 @@ class MetricEntry(TypedDict):
     id: str
     name: str
     symbol: str
+    variant: str
     better: str
     full_range: Ends
     acceptable_range: Ends | None
@@ -75,6 +76,7 @@ def viewer_tables() -> ViewerTables:
                 "id": metric.id,
                 "name": metric.name,
                 "symbol": metric.symbol,
+                "variant": metric.variant,
                 "better": metric.better,
                 "full_range": _ends(metric.full_range),
                 "acceptable_range": _ends(metric.acceptable_range) if metric.acceptable_range else None,

@@ -24,7 +24,7 @@ FIELDS = {"coordinates": POINTS.T, "corners": np.arange(8).reshape(8, 1), "kinds
         ({"corners": np.arange(8).reshape(1, 8)}, "corners must be (8, C), not (1, 8)"),
         ({"corners": np.arange(1, 9).reshape(8, 1)}, "corners refer to vertices 1 to 8, expected 0 to 7"),
         ({"corners": np.arange(-1, 7).reshape(8, 1)}, "corners refer to vertices -1 to 6, expected 0 to 7"),
-        ({"corners": np.arange(8).reshape(8, 1) + 2**32}, "4294967296 to 4294967303, expected 0 to 7"),
+        ({"corners": np.arange(8, dtype=np.int64).reshape(8, 1) + 2**32}, "4294967296 to 4294967303, expected 0 to 7"),
         ({"corners": np.arange(8.0).reshape(8, 1)}, "corners refer to vertices float64, expected integers"),
         ({"kinds": [0, 0]}, "kinds must be (1,), not (2,)"),
         ({"kinds": [4]}, "kinds are 4 to 4, expected 0 to 3"),

@@ -66,7 +66,7 @@ def diagnose(mesh: Mesh) -> list[Finding]:
     -------
     list of Finding
         Empty if there is nothing to say. Ids: `all_inverted`, `inverted_cells`, `degenerate_cells`,
-        `invalid_corner_cells`, `nonmanifold_faces`, `opposite_orientation`, `coincident_vertices`,
+        `invalid_corner_cells`, `repeated_cells`, `nonmanifold_faces`, `opposite_orientation`, `coincident_vertices`,
         `turned_round`, `repeated_vertices`, `unreferenced_vertices`, `components`, `reading`.
     """
     checks: tuple[Callable[[Mesh], Iterator[Finding]], ...] = (_shapes, _faces, _vertices, _pieces, _notes)
@@ -112,8 +112,11 @@ def _shapes(mesh: Mesh) -> Iterator[Finding]:
 
 
 def _faces(mesh: Mesh) -> Iterator[Finding]:
-    """Faces of more than two cells, and neighbours of opposite orientation."""
-    faces = mesh.topology.faces
+    """Cells that are there twice, faces of more than two cells, and neighbours of opposite orientation."""
+    faces, again = mesh.topology.faces, mesh.topology.repeated_cells
+    if len(again):
+        words = f"{_some(again, 'cell repeats another', 'cells repeat others')}: the same vertices. Each is drawn once."
+        yield Finding("repeated_cells", "error", words, len(again), again)
     if faces.nonmanifold_count:
         cells = np.unique(faces.crowd_cells).astype(np.int32)
         many = faces.nonmanifold_count

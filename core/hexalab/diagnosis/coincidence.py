@@ -25,6 +25,7 @@ def coincident_vertices(mesh: Mesh) -> Ids:
     those with a near neighbour are left, hardly more than what is looked for; a second and a third direction
     settle it.
     """
+    mesh, _ = mesh.within_reach
     ids: Array = np.flatnonzero(mesh.referenced)
     near = TOLERANCE * mesh.diagonal
     run: Array = np.zeros(len(ids), np.int32)

@@ -61,6 +61,7 @@ def signs(mesh: Mesh) -> Signs:
     The volume is that within the six bilinear faces. Corners are those of `NODES`; where a hexahedron repeats
     vertices, a corner at which two of the four vertices are one has no Jacobian and is passed over.
     """
+    mesh, _ = mesh.within_reach
     volume = np.empty(mesh.cell_count, np.int8)
     invalid = np.zeros(mesh.cell_count, dtype=bool)
     mixed, reach = bool(mesh.kinds.any()), _reach(mesh.extent)
@@ -186,6 +187,7 @@ def all_inverted(mesh: Mesh) -> bool:
     """Whether cells have negative volumes only, or none; the first positive one ends the search."""
     if _begins_upright(mesh):
         return False
+    mesh, _ = mesh.within_reach
     negative, reach = False, _reach(mesh.extent)
     for start in range(0, mesh.cell_count, CHUNK):
         found = _signs_of(mesh, slice(start, start + CHUNK), reach)

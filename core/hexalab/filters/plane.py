@@ -29,11 +29,19 @@ class Places(NamedTuple):
     high: float
 
 
+def unit(normal: Vector) -> Floats:
+    """The normal with a length of 1, whatever its length was; zero if it had none."""
+    direction = np.asarray(normal, dtype=np.float64)
+    largest = float(np.abs(direction).max())
+    if not largest:
+        return np.zeros(3)
+    direction = np.ldexp(direction, -int(np.frexp(largest)[1]))
+    return np.asarray(direction / np.sqrt((direction * direction).sum()))
+
+
 def project(points: Floats, normal: Vector) -> Floats:
     """Lengths of (3, N) points along the direction of a normal; zero along a normal of no length."""
-    direction = np.asarray(normal, dtype=np.float64)
-    length = float(np.sqrt((direction * direction).sum()))
-    x, y, z = (direction / length).tolist() if length else (0.0, 0.0, 0.0)
+    x, y, z = unit(normal).tolist()
     along: Floats = points[0] * x
     term = points[1] * y
     along += term
@@ -81,7 +89,7 @@ def plane(places: Places, offset: float) -> NDArray[np.bool_]:
         return np.zeros(len(places.along), dtype=bool)
     if offset >= 1:
         return np.ones(len(places.along), dtype=bool)
-    hidden: NDArray[np.bool_] = places.along < places.low + offset * (places.high - places.low)
+    hidden: NDArray[np.bool_] = places.along < places.low * (1 - offset) + places.high * offset
     return hidden
 
 

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from ..arrays import Floats
 from ..mesh import Mesh
 from ..quality import METRICS
+from ..topology import Topology
 from .peel import peel
 from .picking import PickedCells, pick
 from .plane import Places, any_corner_places, barycentre_places, plane
@@ -46,6 +47,8 @@ class FilterStack:
     mesh : Mesh
     values : callable, str to (C,) float64
         Gives the values of a quantity, a metric or an attribute, by its id.
+    topology : Topology, optional
+        What peeling and regularisation walk over, if not the mesh's own.
 
     Examples
     --------
@@ -53,8 +56,9 @@ class FilterStack:
     >>> shown = stack.apply({"peel": {"depth": 1}})                              # doctest: +SKIP
     """
 
-    def __init__(self, mesh: Mesh, values: Callable[[str], Floats]) -> None:
+    def __init__(self, mesh: Mesh, values: Callable[[str], Floats], topology: Topology | None = None) -> None:
         self._mesh = mesh
+        self._topology = topology or mesh.topology
         self._values = values
         self._places: OrderedDict[Hashable, Places] = OrderedDict()
         self._masks: dict[str, tuple[Hashable, Hidden]] = {}
@@ -105,7 +109,7 @@ class FilterStack:
         hidden = self._kept("planes", planes, lambda: self._behind(planes))
         if layers > 0:
             below = hidden
-            hidden = below | self._kept("peel", layers, lambda: peel(self._mesh.topology.depth, layers))
+            hidden = below | self._kept("peel", layers, lambda: peel(self._topology.depth, layers))
         if strength > 0:
             cut = hidden
             key = (planes, layers, strength)
@@ -135,7 +139,7 @@ class FilterStack:
 
     @cached_property
     def _regulariser(self) -> Regulariser:
-        return Regulariser(self._mesh.topology)
+        return Regulariser(self._topology)
 
 
 def _planes(settings: Settings) -> Planes:

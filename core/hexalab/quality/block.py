@@ -87,6 +87,11 @@ class HexahedronBlock(Arena):
         return self.points[:, BITS[corner]]
 
     @shared
+    def seen_from_corner(self) -> Floats:
+        """(3, 8, n) the points less corner 0, in the order of `BITS`."""
+        return np.subtract(self.points, self.points[:, :1], out=self.array("seen_from_corner", 3, 8))
+
+    @shared
     def u(self) -> Floats:
         """(3, 4, n) edges of the first direction."""
         out = self.array("u", 3, 4)
@@ -179,6 +184,20 @@ class HexahedronBlock(Arena):
         return out
 
     @shared
+    def adjugate_squares(self) -> Floats:
+        """(8, n) |u x v|^2 + |v x w|^2 + |w x u|^2 at the corners."""
+        out, scratch = self.array("adjugate_squares", 8), self.array("scratch_8", 8)
+        for kind in range(3):
+            for component in range(3):
+                side = self.crosses[kind, component]
+                if kind or component:
+                    np.multiply(side, side, out=scratch)
+                    out += scratch
+                else:
+                    np.multiply(side, side, out=out)
+        return out
+
+    @shared
     def axes(self) -> tuple[Floats, Floats, Floats]:
         """Principal axes X, Y, Z, (3, n) each: the sums of the edges, added up in the manual's order."""
         out = self.array("axes", 3, 3)
@@ -225,14 +244,14 @@ class HexahedronBlock(Arena):
 
     @shared
     def size(self) -> Floats:
-        """(n,) diagonal of the cell's axis-parallel box; 1 where that is below `TOLERANCE`, as Verdict has it."""
+        """(n,) diagonal of the cell's axis-parallel box; 1 where it is a point."""
         low, high = self.array("box_low", 3), self.array("box_high", 3)
         np.min(self.points, axis=1, out=low)
         np.max(self.points, axis=1, out=high)
         high -= low
         out = dot(high, high, self.array("size"), self.array("scratch_1"))
         np.sqrt(out, out=out)
-        out[out <= TOLERANCE] = 1
+        out[out == 0] = 1
         return out
 
     @shared
@@ -266,20 +285,19 @@ class HexahedronBlock(Arena):
     def volume(self) -> Floats:
         """(n,) signed volume of the trilinear cell, from the faces' centres and area vectors.
 
-        Verdict cuts the cell into 24 tetrahedra by the centres of its faces, sums of raw coordinates that round far
-        from the origin: we take the same centres to round alike. The four tetrahedra of a face add up to a third of
-        the product of its centre with its area vector, half the cross product of its diagonals.
+        Verdict cuts the cell into 24 tetrahedra by the centres of its faces. The four tetrahedra of a face add up to a
+        third of the product of its centre with its area vector, half the cross product of its diagonals. Centres are
+        seen from corner 0, so that they don't round far from the origin.
         """
         out, product, scratch = self.array("volume"), self.array("product_1"), self.array("scratch_1")
-        middle, centre = self.array("middle", 3), self.array("face_centre", 3)
+        middle, centre, points = self.array("middle", 3), self.array("face_centre", 3), self.seen_from_corner
         first, second, area = self.array("first", 3), self.array("second", 3), self.array("area", 3)
-        np.add(self.corner(0), self.corner(6), out=middle)
-        middle *= 0.5
+        np.multiply(points[:, BITS[6]], 0.5, out=middle)
         out.fill(0)
         for a, b, c, d in QUADS:
-            np.add(self.corner(a), self.corner(b), out=centre)
-            centre += self.corner(c)
-            centre += self.corner(d)
+            np.add(points[:, BITS[a]], points[:, BITS[b]], out=centre)
+            centre += points[:, BITS[c]]
+            centre += points[:, BITS[d]]
             centre *= 0.25
             centre -= middle
             np.subtract(self.corner(c), self.corner(a), out=first)

@@ -10,7 +10,6 @@ import numpy as np
 from ..arrays import Floats, Ids
 from ..cells import CORNERS_OF_KIND
 from .arena import Arena, shared
-from .block import TOLERANCE
 
 Triple = tuple[int, int, int, int]
 
@@ -48,6 +47,7 @@ class CellBlock(Arena):
 
     def __init__(self, kind: int, edges: tuple[tuple[int, int], ...], triples: tuple[Triple, ...]) -> None:
         super().__init__()
+        self.kind = kind
         self.places = sorted(CORNERS_OF_KIND[kind])
         self.edges = edges
         self.triples = triples
@@ -84,10 +84,10 @@ class CellBlock(Arena):
 
     @shared
     def size(self) -> Floats:
-        """(n,) diagonal of the cell's axis-parallel box; 1 where that is below `TOLERANCE`, as Verdict has it."""
+        """(n,) diagonal of the cell's axis-parallel box; 1 where it is a point."""
         span = np.max(self.corners, axis=0) - np.min(self.corners, axis=0)
         out = np.sqrt(times(span, span))
-        out[out <= TOLERANCE] = 1
+        out[out == 0] = 1
         return out
 
     @shared

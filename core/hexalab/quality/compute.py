@@ -10,13 +10,25 @@ import numpy as np
 from ..arrays import Floats
 from ..cells import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
 from ..mesh import Mesh
-from . import face_angles, hexahedron, hexahedron_shape, nodal, other_kinds
+from . import condition, face_angles, faces, hexahedron, hexahedron_shape, nodal, other_kinds
 from .arena import BLOCK
 from .block import HexahedronBlock
 from .metrics import METRICS
 from .sizes import NEEDS, volumes_of_kinds, with_sizes
 
+VOLUME = 3
+"""Power of a length that a volume is."""
+
 Kernels = dict[str, Callable[[Any, Floats], None]]
+
+OF_FACES: Kernels = {
+    "equiangle_skew": face_angles.equiangle_skew,
+    "sicn": condition.sicn,
+    "smallest_face_angle": face_angles.smallest_angle,
+    "largest_face_angle": face_angles.largest_angle,
+    "characteristic_length": faces.characteristic_length,
+}
+"""Kernels that tetrahedra, pyramids and wedges share, over the faces and corners of their kind."""
 
 KERNELS: dict[int, tuple[Callable[[], Any], Kernels]] = {
     HEXAHEDRON: (
@@ -38,8 +50,14 @@ KERNELS: dict[int, tuple[Callable[[], Any], Kernels]] = {
             "taper": hexahedron.taper,
             "volume": hexahedron_shape.volume,
             "dimension": hexahedron_shape.dimension,
-            "equiangle_skew": face_angles.equiangle_skew,
+            "equiangle_skew": face_angles.hexahedron_equiangle_skew,
             "nodal_jacobian_ratio": nodal.nodal_jacobian_ratio,
+            "sicn": condition.hexahedron_sicn,
+            "gauss_jacobian_ratio": nodal.gauss_jacobian_ratio,
+            "warpage": faces.hexahedron_warpage,
+            "smallest_face_angle": face_angles.hexahedron_smallest_angle,
+            "largest_face_angle": face_angles.hexahedron_largest_angle,
+            "characteristic_length": faces.hexahedron_characteristic_length,
             "corner_sum": hexahedron_shape.corner_sum,
         },
     ),
@@ -48,7 +66,7 @@ KERNELS: dict[int, tuple[Callable[[], Any], Kernels]] = {
         {
             "distortion": other_kinds.tetrahedron_distortion,
             "edge_ratio": other_kinds.tetrahedron_edge_ratio,
-            "equiangle_skew": other_kinds.tetrahedron_equiangle_skew,
+            **OF_FACES,
             "jacobian": other_kinds.tetrahedron_jacobian,
             "scaled_jacobian": other_kinds.tetrahedron_scaled_jacobian,
             "shape": other_kinds.tetrahedron_shape,
@@ -59,11 +77,12 @@ KERNELS: dict[int, tuple[Callable[[], Any], Kernels]] = {
     PYRAMID: (
         other_kinds.pyramids,
         {
-            "equiangle_skew": other_kinds.pyramid_equiangle_skew,
+            **OF_FACES,
             "jacobian": other_kinds.jacobian,
             "scaled_jacobian": other_kinds.pyramid_scaled_jacobian,
             "shape": other_kinds.pyramid_shape,
             "volume": other_kinds.pyramid_volume,
+            "warpage": faces.warpage,
         },
     ),
     WEDGE: (
@@ -71,13 +90,14 @@ KERNELS: dict[int, tuple[Callable[[], Any], Kernels]] = {
         {
             "distortion": other_kinds.wedge_distortion,
             "edge_ratio": other_kinds.edge_ratio,
-            "equiangle_skew": other_kinds.wedge_equiangle_skew,
+            **OF_FACES,
             "jacobian": other_kinds.jacobian,
             "max_aspect_frobenius": other_kinds.wedge_max_aspect_frobenius,
             "mean_aspect_frobenius": other_kinds.wedge_mean_aspect_frobenius,
             "scaled_jacobian": other_kinds.wedge_scaled_jacobian,
             "shape": other_kinds.wedge_shape,
             "volume": other_kinds.wedge_volume,
+            "warpage": faces.warpage,
         },
     ),
 }
@@ -96,9 +116,8 @@ def quality(mesh: Mesh, metric: str) -> Floats:
     Returns
     -------
     (C,) float64
-        Native values. Where Verdict returns its sentinel (1e30): the infinity at the metric's worst end, or
-        for what carries a unit and passes 1e30 the infinity of its sign. NaN for a kind of cell without the
-        metric, and for coordinates that are NaN.
+        Native values. Where the metric is not defined: the infinity at its worst end. NaN for a kind of cell
+        without the metric, and for coordinates that are NaN.
 
     Raises
     ------
@@ -131,14 +150,27 @@ def quality_many(
         if metric not in METRICS:
             raise KeyError(f"no metric {metric!r}; there are {', '.join(METRICS)}")
     needed = dict.fromkeys(need for metric in wanted for need in NEEDS.get(metric, (metric,)))
-    out = _kernel_values(mesh, needed)
-    with_sizes(mesh, out, wanted, means)
-    return {metric: out[metric] for metric in wanted}
+    near, exponent = mesh.within_reach
+    out = _kernel_values(near, needed)
+    if means is not None:
+        means = {kind: float(np.ldexp(mean, -VOLUME * exponent)) for kind, mean in means.items()}
+    with_sizes(near, out, wanted, means)
+    return {metric: _in_unit(out[metric], METRICS[metric].unit * exponent) for metric in wanted}
 
 
 def compared_volumes(mesh: Mesh) -> dict[int, Floats]:
     """Return the volumes of the cells of each kind, by kind, whose mean the size metrics compare with."""
-    return volumes_of_kinds(mesh, _kernel_values(mesh, ("volume", "corner_sum")))
+    near, exponent = mesh.within_reach
+    volumes = volumes_of_kinds(near, _kernel_values(near, ("volume", "corner_sum")))
+    return {kind: _in_unit(values, VOLUME * exponent) for kind, values in volumes.items()}
+
+
+def _in_unit(values: Floats, exponent: int) -> Floats:
+    """Multiply with a power of two; what passes the range of float64 becomes infinite."""
+    if not exponent:
+        return values
+    with np.errstate(over="ignore"):
+        return np.ldexp(values, exponent)
 
 
 def _kernel_values(mesh: Mesh, needed: Collection[str]) -> dict[str, Floats]:

@@ -1,17 +1,22 @@
-"""Verdict's equiangle skew of hexahedra: how far the angles of the six faces are from right angles.
+"""The angles of faces: the smallest, the largest, and Verdict's equiangle skew.
 
-See `hexahedron` for the source and the conventions.
+See `hexahedron` for the source and the conventions. The largest angle of a quadrilateral that is not convex is beyond
+180 degrees: 360 minus what its two edges span.
 """
 
 from __future__ import annotations
 
-from math import pi
+from collections.abc import Sequence
+from math import inf
 
 import numpy as np
 
 from ..arrays import Floats
+from ..cells import TETRAHEDRON
 from .arena import dot
 from .block import BITS, QUADS, TOLERANCE, HexahedronBlock
+from .cells import CellBlock, cross, times
+from .other_kinds import FACES_OF_KINDS, TETRAHEDRON_FACES
 
 SIGNS = ((1, 1, -1, -1, -1, -1, 1, 1), (1, -1, -1, 1, 1, -1, -1, 1), (1, -1, 1, -1, -1, 1, -1, 1))
 """For the pairs u v, v w, w u: sign between the cosine of two edges and that of the face's angle, at each corner."""
@@ -20,14 +25,61 @@ FACE_ROWS = (((0, 1, 4, 5), (2, 3, 6, 7)), ((0, 3, 5, 6), (1, 2, 4, 7)), ((0, 2,
 """For the pairs u v, v w, w u: corners (rows of the block) of the two faces that the pair spans."""
 
 
-def equiangle_skew(block: HexahedronBlock, out: Floats) -> None:
-    """Largest of (angle - 90) / 90 and (90 - angle) / 90 over the faces' angles, in degrees.
+IDEAL_DIHEDRAL = float(np.degrees(np.arccos(1 / 3)))
 
-    As VTK 9.6 computes it, the largest angle of a face that is not convex counts as 360 minus it, so that values up
-    to 3 occur. A face with an edge below 2.2e-15 has no angles (it counts as -1), but if its third and fourth
-    corner (see `QUADS`) coincide it counts as a triangle, and as 1 if that is degenerate.
+
+def hexahedron_equiangle_skew(block: HexahedronBlock, out: Floats) -> None:
+    """Largest of (angle - 90) / 90 and (90 - angle) / 90 over the faces' angles, in degrees: up to 3.
+
+    A face with an edge below 2.2e-15 of the cell's size has no angles (it counts as -1), but if its third and fourth
+    corner (see `QUADS`) coincide it counts as a triangle, and as 1 if that is degenerate. VTK 9.6 compares edges with
+    2.2e-15 in the file's unit: not taken over.
     """
-    widest, reflex, narrowest = block.array("widest"), block.array("reflex"), out
+    smallest, largest = hexahedron_angles(block)
+    np.subtract(90, smallest, out=out)
+    np.maximum(out, np.subtract(largest, 90, out=block.array("own_1")), out=out)
+    out /= 90
+    short = short_edges(block)
+    if short.any():
+        out[short] = _with_short_edges(block.points[:, BITS, :][..., short])
+
+
+def hexahedron_smallest_angle(block: HexahedronBlock, out: Floats) -> None:
+    """Smallest angle between two edges of a face, in degrees; -inf where a cell has no angles."""
+    np.copyto(out, _all_angles(block)[0])
+    out[np.isnan(out)] = -inf
+
+
+def hexahedron_largest_angle(block: HexahedronBlock, out: Floats) -> None:
+    """Largest angle between two edges of a face, in degrees; inf where a cell has no angles."""
+    np.copyto(out, _all_angles(block)[1])
+    out[np.isnan(out)] = inf
+
+
+def short_edges(block: HexahedronBlock) -> Floats:
+    """(n,) bool: whether an edge vanishes beside the cell's box."""
+    return np.asarray(block.lengths.min(axis=0) <= TOLERANCE * block.size)
+
+
+def _all_angles(block: HexahedronBlock) -> tuple[Floats, Floats]:
+    """Smallest and largest angle; where edges vanish, of the faces without them."""
+    smallest, largest = hexahedron_angles(block)
+    short = short_edges(block)
+    if short.any():
+        smallest, largest = smallest.copy(), largest.copy()
+        points = block.points[:, BITS, :][..., short]
+        angles = [polygon_angles([points[:, corner] for corner in quad]) for quad in QUADS]
+        smallest[short] = np.fmin.reduce([least for least, _ in angles])
+        largest[short] = np.fmax.reduce([most for _, most in angles])
+    return smallest, largest
+
+
+def hexahedron_angles(block: HexahedronBlock) -> tuple[Floats, Floats]:
+    """Smallest and largest angle of the six faces, in degrees, of cells whose edges all have a length."""
+    if "angles" in block.known:
+        known: tuple[Floats, Floats] = block.known["angles"]
+        return known
+    widest, reflex, narrowest = block.array("widest"), block.array("reflex"), block.array("narrowest")
     widest.fill(1)
     reflex.fill(-2)
     narrowest.fill(-1)
@@ -46,26 +98,16 @@ def equiangle_skew(block: HexahedronBlock, out: Floats) -> None:
                 np.copyto(reflex, np.maximum(reflex, least), where=concave)
                 least[concave] = 1
             np.minimum(widest, least, out=widest)
-    _to_skew(widest, reflex, narrowest, out)
-    short = block.lengths.min(axis=0) <= TOLERANCE
-    if short.any():
-        out[short] = _with_short_edges(block.points[:, BITS, :][..., short])
-
-
-def _to_skew(widest: Floats, reflex: Floats, narrowest: Floats, out: Floats) -> None:
-    """Skew from the cosines of the widest angle, of the least wide of the reflex ones, of the narrowest angle."""
     for cosine in (widest, narrowest):
         np.clip(cosine, -1, 1, out=cosine)
         np.arccos(cosine, out=cosine)
-        cosine *= 180 / pi
-        cosine -= 90
-        cosine /= 90
-    np.negative(narrowest, out=out)
-    np.maximum(out, widest, out=out)
-    bent = reflex > -2
-    if bent.any():
-        turned = 360 - np.degrees(np.arccos(np.clip(reflex[bent], -1, 1)))
-        out[bent] = np.maximum(out[bent], (turned - 90) / 90)
+        np.degrees(cosine, out=cosine)
+    bent_faces = reflex > -2
+    if bent_faces.any():
+        turned = 360 - np.degrees(np.arccos(np.clip(reflex[bent_faces], -1, 1)))
+        widest[bent_faces] = np.maximum(widest[bent_faces], turned)
+    block.known["angles"] = narrowest, widest
+    return narrowest, widest
 
 
 def _cosines(block: HexahedronBlock, pair: int) -> Floats:
@@ -108,31 +150,88 @@ def _with_short_edges(points: Floats) -> Floats:
     return out
 
 
-def polygon_skew(corners: list[Floats]) -> Floats:
+def polygon_skew(corners: Sequence[Floats]) -> Floats:
     """Equiangle skew of triangles (by 60 degrees) or quadrilaterals (by 90 degrees), corners (3, m) each."""
-    widest, narrowest, shortest = _angles(corners)
+    narrowest, widest, vanishing = _angles(corners)
     right = 60 if len(corners) == 3 else 90
     skew = np.maximum((widest - right) / (180 - right), (right - narrowest) / right)
-    return np.where(shortest <= TOLERANCE, -1 if right == 90 else 1, skew)
+    return np.where(vanishing, -1 if right == 90 else 1, skew)
 
 
-def _as_quad(corners: list[Floats]) -> Floats:
+def _as_quad(corners: Sequence[Floats]) -> Floats:
     """Skew of a triangle that stands for a quadrilateral, by right angles."""
-    widest, narrowest, shortest = _angles(corners)
-    return np.where(shortest == 0, 1, np.maximum((widest - 90) / 90, (90 - narrowest) / 90))
+    narrowest, widest, vanishing = _angles(corners)
+    return np.where(vanishing, 1, np.maximum((widest - 90) / 90, (90 - narrowest) / 90))
 
 
-def _angles(corners: list[Floats]) -> tuple[Floats, Floats, Floats]:
-    """Widest (360 minus it where not convex) and narrowest angle in degrees, length of the shortest edge."""
+def polygon_angles(corners: Sequence[Floats]) -> tuple[Floats, Floats]:
+    """Smallest and largest angle, in degrees, of triangles or quadrilaterals (3, m); NaN where none has edges.
+
+    Where two neighbouring corners of a quadrilateral coincide it is taken for the triangle that it is.
+    """
+    narrowest, widest, vanishing = _angles(corners)
+    if len(corners) == 4 and vanishing.any():
+        for i in range(4):
+            joined = vanishing & (corners[i] == corners[(i + 1) % 4]).all(axis=0)
+            least, most, flat = _angles([corners[(i + step) % 4] for step in (1, 2, 3)])
+            narrowest = np.where(joined, np.where(flat, np.nan, least), narrowest)
+            widest = np.where(joined, np.where(flat, np.nan, most), widest)
+            vanishing = vanishing & ~joined
+    return np.where(vanishing, np.nan, narrowest), np.where(vanishing, np.nan, widest)
+
+
+def _angles(corners: Sequence[Floats]) -> tuple[Floats, Floats, Floats]:
+    """Smallest and largest angle in degrees, and whether an edge vanishes beside the longest."""
     count = len(corners)
     edges = [corners[(i + 1) % count] - corners[i] for i in range(count)]
-    lengths = [np.sqrt((edge * edge).sum(axis=0)) for edge in edges]
-    cosines = [-(edges[i - 1] * edges[i]).sum(axis=0) / (lengths[i - 1] * lengths[i]) for i in range(count)]
+    lengths = np.sqrt([times(edge, edge) for edge in edges])
+    cosines = [-times(edges[i - 1], edges[i]) / (lengths[i - 1] * lengths[i]) for i in range(count)]
     angles = np.degrees(np.arccos(np.clip(cosines, -1, 1)))
     widest, narrowest = angles.max(axis=0), angles.min(axis=0)
     if count == 4:
-        normals = [np.cross(edges[i - 1], edges[i], axis=0) for i in range(4)]
+        normals = [cross(edges[i - 1], edges[i]) for i in range(4)]
         centre = np.sum(normals, axis=0)
-        turned = np.min([(centre * normal).sum(axis=0) for normal in normals], axis=0) < 0
+        turned = np.min([times(centre, normal) for normal in normals], axis=0) < 0
         widest = np.where(turned, 360 - widest, widest)
-    return widest, narrowest, np.min(lengths, axis=0)
+    return narrowest, widest, lengths.min(axis=0) <= TOLERANCE * lengths.max(axis=0)
+
+
+def equiangle_skew(block: CellBlock, out: Floats) -> None:
+    """Largest relative departure of a face's angle from 60 degrees (triangles) or 90 degrees (quadrilaterals).
+
+    Of a tetrahedron also of a dihedral angle from 70.53 degrees.
+    """
+    out.fill(-1)
+    for face in FACES_OF_KINDS[block.kind]:
+        np.maximum(out, polygon_skew([block.corners[corner] for corner in face]), out=out)
+    if block.kind == TETRAHEDRON:
+        _with_dihedral_angles(block, out)
+
+
+def _with_dihedral_angles(block: CellBlock, out: Floats) -> None:
+    normals = []
+    for a, b, c in TETRAHEDRON_FACES:
+        normal = cross(block.corners[b] - block.corners[a], block.corners[c] - block.corners[a])
+        normals.append(normal / np.sqrt(times(normal, normal)))
+    cosines = [-times(normals[i], normals[j]) for i in range(4) for j in range(i)]
+    angles = np.degrees(np.arccos(np.clip(cosines, -1, 1)))
+    np.fmax(out, (angles.max(axis=0) - IDEAL_DIHEDRAL) / (180 - IDEAL_DIHEDRAL), out=out)
+    np.fmax(out, (IDEAL_DIHEDRAL - angles.min(axis=0)) / IDEAL_DIHEDRAL, out=out)
+
+
+def smallest_angle(block: CellBlock, out: Floats) -> None:
+    """Smallest angle between two edges of a face, in degrees; -inf where a cell has no angles."""
+    angles = [
+        polygon_angles([block.corners[corner] for corner in face])[0] for face in FACES_OF_KINDS[block.kind]
+    ]
+    np.fmin.reduce(angles, axis=0, out=out)
+    out[np.isnan(out)] = -inf
+
+
+def largest_angle(block: CellBlock, out: Floats) -> None:
+    """Largest angle between two edges of a face, in degrees; inf where a cell has no angles."""
+    angles = [
+        polygon_angles([block.corners[corner] for corner in face])[1] for face in FACES_OF_KINDS[block.kind]
+    ]
+    np.fmax.reduce(angles, axis=0, out=out)
+    out[np.isnan(out)] = inf

@@ -1,9 +1,10 @@
 """Verdict's metrics of hexahedra: one function per metric, from a block's shared intermediates into `out`.
 
 Formulas: C. J. Stimpson, C. D. Ernst, P. Knupp, P. P. Pebay, D. Thompson, "The Verdict Geometric Quality Library",
-SAND2007-1751, chapter 6. Thresholds, and where VTK 9.6's Verdict departs from its manual, are found by experiment.
-At a corner, (u, v, w) are its edges; X, Y, Z are the principal axes, the sums of four edges. Where Verdict returns
-its sentinel, +-1e30, `out` gets the infinity at the metric's worst end.
+SAND2007-1751, chapter 6. Thresholds of VTK 9.6's Verdict were found by experiment: those that are relative to the
+cell's size are taken over, those in the file's unit are not. At a corner, (u, v, w) are its edges; X, Y, Z are the
+principal axes, the sums of four edges. Where a metric is not defined (Verdict returns its sentinel, +-1e30), `out`
+gets the infinity at its worst end.
 """
 
 from __future__ import annotations
@@ -15,15 +16,6 @@ import numpy as np
 from ..arrays import Floats
 from .arena import dot
 from .block import TOLERANCE, HexahedronBlock
-
-HUGE = 1e30
-"""Verdict's VERDICT_DBL_MAX: its sentinel, the bound of its results, and where it starts looking for a minimum."""
-
-
-def overflow(values: Floats) -> None:
-    """Send what Verdict clamps to +-1e30 to infinity."""
-    values[values >= HUGE] = inf
-    values[values <= -HUGE] = -inf
 
 
 def short_edges(block: HexahedronBlock, with_axes: bool) -> Floats | None:
@@ -44,14 +36,14 @@ def short_edges(block: HexahedronBlock, with_axes: bool) -> Floats | None:
 
 
 def diagonal(block: HexahedronBlock, out: Floats) -> None:
-    """Shortest over longest space diagonal; -inf where all vanish (the box diagonal below 2.2e-15)."""
+    """Shortest over longest space diagonal; -inf where all vanish."""
     shortest, longest = block.diagonals
     np.divide(shortest, longest, out=out)
     out[longest <= TOLERANCE * block.size] = -inf
 
 
 def stretch(block: HexahedronBlock, out: Floats) -> None:
-    """sqrt(3) shortest edge / longest space diagonal; -inf where the box diagonal is below 2.2e-15."""
+    """sqrt(3) shortest edge / longest space diagonal; -inf where all diagonals vanish."""
     longest = block.diagonals[1]
     np.min(block.squares, axis=0, out=out)
     np.sqrt(out, out=out)
@@ -63,13 +55,10 @@ def stretch(block: HexahedronBlock, out: Floats) -> None:
 def edge_ratio(block: HexahedronBlock, out: Floats) -> None:
     """Longest over shortest edge; inf where the shortest, squared, is below 2.2e-15 of the squared box diagonal.
 
-    Verdict looks for the longest among edges 01, 12, 23, 30, 45, 56 only: so do we, to agree with it.
+    VTK 9.6 looks for the longest among edges 01, 12, 23, 30, 45, 56 alone; here it is the longest of all twelve.
     """
     squares = block.squares
-    u, v = squares[:4], squares[4:8]
-    np.max(u[:3], axis=0, out=out)
-    for row in v[:3]:
-        np.maximum(out, row, out=out)
+    np.max(squares, axis=0, out=out)
     out /= squares.min(axis=0)
     np.sqrt(out, out=out)
     short = short_edges(block, with_axes=False)
@@ -126,11 +115,10 @@ def taper(block: HexahedronBlock, out: Floats) -> None:
 
 
 def jacobian(block: HexahedronBlock, out: Floats) -> None:
-    """Smallest of u.(v x w) over corners and X.(Y x Z) / 64 at the centre; +-inf from 1e30 on."""
+    """Smallest of u.(v x w) over corners and X.(Y x Z) / 64 at the centre."""
     np.divide(block.centre_determinant, 64, out=out)
     for row in block.determinants:
         np.minimum(out, row, out=out)
-    overflow(out)
 
 
 def scaled_jacobian(block: HexahedronBlock, out: Floats) -> None:

@@ -12,7 +12,6 @@ import numpy as np
 from ..arrays import Floats
 from .arena import dot
 from .block import BITS, TOLERANCE, HexahedronBlock
-from .hexahedron import HUGE, overflow
 
 
 def max_aspect_frobenius(block: HexahedronBlock, out: Floats) -> None:
@@ -23,7 +22,6 @@ def max_aspect_frobenius(block: HexahedronBlock, out: Floats) -> None:
     conditions = _conditions(block)
     np.max(conditions, axis=0, out=out)
     out /= 3
-    overflow(out)
 
 
 def mean_aspect_frobenius(block: HexahedronBlock, out: Floats) -> None:
@@ -31,7 +29,6 @@ def mean_aspect_frobenius(block: HexahedronBlock, out: Floats) -> None:
     conditions = _conditions(block)
     np.sum(conditions, axis=0, out=out)
     out /= 24
-    overflow(out)
 
 
 def _conditions(block: HexahedronBlock) -> Floats:
@@ -39,16 +36,8 @@ def _conditions(block: HexahedronBlock) -> Floats:
     if "conditions" in block.known:
         known: Floats = block.known["conditions"]
         return known
-    out, scratch = block.array("conditions", 8), block.array("scratch_8", 8)
-    for kind in range(3):
-        for component in range(3):
-            side = block.crosses[kind, component]
-            if kind or component:
-                np.multiply(side, side, out=scratch)
-                out += scratch
-            else:
-                np.multiply(side, side, out=out)
-    out *= block.corner_squares
+    out = block.array("conditions", 8)
+    np.multiply(block.adjugate_squares, block.corner_squares, out=out)
     np.sqrt(out, out=out)
     out /= block.determinants
     out[~(block.determinants > TOLERANCE * block.size**3)] = inf
@@ -72,8 +61,8 @@ def shape(block: HexahedronBlock, out: Floats) -> None:
 def oddy(block: HexahedronBlock, out: Floats) -> None:
     """Largest (|A^T A|^2 - |A|^4 / 3) / det(A)^(4/3) over corners and centre.
 
-    inf where a determinant is not above 2.2e-15: that threshold carries a unit, so that cells of edges below 1.3e-5
-    have no Oddy in Verdict, whatever their shape.
+    inf where a determinant is not above 2.2e-15 of the cubed box diagonal. In VTK 9.6 that threshold carries the
+    file's unit, so that cells of edges below 1.3e-5 have no Oddy, whatever their shape.
     """
     n = block.count
     values, scratch = block.array("own_8", 8), block.array("scratch_8", 8)
@@ -96,8 +85,8 @@ def oddy(block: HexahedronBlock, out: Floats) -> None:
     np.max(values, axis=0, out=out)
     np.maximum(out, _centre_oddy(block), out=out)
     np.maximum(out, 0, out=out)
-    out[~(np.minimum(block.determinants.min(axis=0), block.centre_determinant) > TOLERANCE)] = inf
-    overflow(out)
+    least = np.minimum(block.determinants.min(axis=0), block.centre_determinant)
+    out[~(least > TOLERANCE * block.size**3)] = inf
 
 
 def _centre_oddy(block: HexahedronBlock) -> Floats:
@@ -123,9 +112,8 @@ def _centre_oddy(block: HexahedronBlock) -> Floats:
 
 
 def volume(block: HexahedronBlock, out: Floats) -> None:
-    """Signed volume of the trilinear cell; +-inf from 1e30 on."""
+    """Signed volume of the trilinear cell."""
     np.copyto(out, block.volume)
-    overflow(out)
 
 
 def corner_sum(block: HexahedronBlock, out: Floats) -> None:
@@ -136,14 +124,12 @@ def corner_sum(block: HexahedronBlock, out: Floats) -> None:
 def distortion(block: HexahedronBlock, out: Floats) -> None:
     """Smallest determinant over corners and Gauss points (order 2) / volume, both signed; -inf where the volume is 0.
 
-    An inverted cell of one sign so gets a positive value. Verdict starts at 1e30 when it looks for the smallest
-    Jacobian (an eighth of our determinant): cells larger than that get 8e30 / volume, a cube of edge 1e12 8e-6.
+    An inverted cell of one sign so gets a positive value. The manual leaves open which Gauss points; VTK 9.6 takes
+    these, and the corners. It starts at 1e30 when it looks for the smallest Jacobian: not taken over.
     """
     np.min(block.gauss_determinants, axis=0, out=out)
     np.minimum(out, block.determinants.min(axis=0), out=out)
-    np.minimum(out, 8 * HUGE, out=out)
     out /= block.gauss_volume
-    overflow(out)
     out[block.gauss_volume == 0] = -inf
 
 
@@ -157,14 +143,14 @@ NODES = (
 def dimension(block: HexahedronBlock, out: Floats) -> None:
     """Characteristic length |V| / sqrt(2 sum |dV/dx|^2) of the volume V and its gradients by the corners.
 
-    Gradients: D. P. Flanagan, T. Belytschko, "A uniform strain hexahedron ...", IJNME 17 (1981), eq. 79. Verdict sums V
-    from the x coordinates times their gradients, so that cells far from the origin lose digits; we sum as it does.
-    -inf where V and all gradients vanish.
+    Gradients: D. P. Flanagan, T. Belytschko, "A uniform strain hexahedron ...", IJNME 17 (1981), eq. 79; V is the sum
+    of the x coordinates times their gradients. VTK 9.6 takes raw coordinates, so that cells far from the origin lose
+    digits; here they are those seen from corner 0. -inf where V and all gradients vanish.
     """
     total, squares, scratch = block.array("own_1"), block.array("product_1"), block.array("scratch_1")
     gradient = block.array("gradient")
     squares.fill(0)
-    x = block.points
+    x = block.seen_from_corner
     for axis in range(3):
         for corner in range(8):
             _volume_gradient(block, (axis + 1) % 3, (axis + 2) % 3, corner, gradient)
@@ -185,7 +171,7 @@ def dimension(block: HexahedronBlock, out: Floats) -> None:
 
 def _volume_gradient(block: HexahedronBlock, j: int, k: int, corner: int, out: Floats) -> None:
     """Derivative of the volume by one coordinate of a corner, from coordinates j and k of the others."""
-    y, z = ([block.points[axis, BITS[node]] for node in NODES[corner]] for axis in (j, k))
+    y, z = ([block.seen_from_corner[axis, BITS[node]] for node in NODES[corner]] for axis in (j, k))
     a, b = block.array("difference_a"), block.array("difference_b")
     opposite = np.subtract(z[1], z[3], out=block.array("difference_c"))
     beside = np.subtract(z[4], z[1], out=block.array("difference_d"))

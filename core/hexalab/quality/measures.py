@@ -11,6 +11,11 @@ from ..arrays import Array, Floats
 from .metrics import METRICS, Metric
 
 PERCENTILES = (1, 5, 25, 75, 95, 99)
+LARGEST = float(np.finfo(np.float64).max)
+
+ROUNDING = 1e-12
+"""What is outside of the acceptable range by no more than this part of its end is inside, but for rounding."""
+
 WORST = 10
 """Number of worst cells listed."""
 
@@ -35,7 +40,7 @@ def statistics(
         `count`, `min`, `max`, `mean`, `median`, `variance` (of the population), `percentiles` ("1", "5", "25", "75",
         "95", "99", interpolated linearly), `not_finite`, `outside_acceptable` (finite values outside the acceptable
         range; 0 where there is none), `worst` (ids of at most ten cells, worst first, infinite values before all).
-        Numbers are None where no value is finite.
+        Numbers are None where no value is finite, the variance also where it passes float64.
     """
     if isinstance(metric, str):
         metric = METRICS[metric]
@@ -67,21 +72,35 @@ def statistics(
     if not sound.size:
         return out
     quantiles = _percentiles(sound, (*PERCENTILES, 50))
-    mean = float(sound.mean())
-    deviation = sound - mean
-    deviation *= deviation
+    mean, variance = _moments(sound)
     out.update(
         min=float(sound.min()),
         max=float(sound.max()),
         mean=mean,
         median=quantiles[-1],
-        variance=float(deviation.mean()),
+        variance=variance,
         percentiles={str(p): q for p, q in zip(PERCENTILES, quantiles, strict=False)},
     )
     if metric is not None and metric.acceptable_range is not None:
-        low, high = metric.acceptable_range
+        low, high = (
+            end + side * ROUNDING * abs(end)
+            for end, side in zip(metric.acceptable_range, (-1, 1), strict=True)
+        )
         out["outside_acceptable"] = int(np.count_nonzero((sound < low) | (sound > high)))
     return out
+
+
+def _moments(values: Floats) -> tuple[float, float | None]:
+    """Mean and variance of finite values, without overflow on the way; None for a variance that float64 can't hold."""
+    largest = float(np.abs(values).max())
+    exponent = int(np.frexp(largest)[1]) if not 1e-100 < largest < 1e100 else 0
+    deviation = np.ldexp(values, -exponent) if exponent else values.copy()
+    mean = float(deviation.mean())
+    deviation -= mean
+    deviation *= deviation
+    with np.errstate(over="ignore"):
+        variance = float(np.ldexp(deviation.mean(), 2 * exponent))
+    return float(np.ldexp(mean, exponent)), variance if np.isfinite(variance) else None
 
 
 def _percentiles(values: Floats, percents: tuple[int, ...]) -> list[float]:
@@ -91,8 +110,11 @@ def _percentiles(values: Floats, percents: tuple[int, ...]) -> list[float]:
     above = np.minimum(below + 1, values.size - 1)
     ordered = np.partition(values, np.unique(np.concatenate([below, above])))
     left, right = ordered[below], ordered[above]
+    share = places - below
     with np.errstate(over="ignore"):
-        return [float(x) for x in left + (right - left) * (places - below)]
+        step = right - left
+    between = np.where(np.isfinite(step), left + step * share, left * (1 - share) + right * share)
+    return [float(x) for x in between]
 
 
 def _worst(values: Floats, low_is_worst: bool) -> NDArray[np.int64]:
@@ -134,10 +156,17 @@ def histogram(values: Array, low: float, high: float, bins: int = 100) -> tuple[
         raise ValueError(f"a histogram has at least one bin, not {bins}")
     if not (np.isfinite(low) and np.isfinite(high) and low <= high):
         raise ValueError(f"a histogram's range must be finite and in order, not {low} to {high}")
+    values = np.asarray(values, dtype=np.float64)
     if low == high:
         half = abs(low) / 2 or 0.5
-        low, high = low - half, high + half
-    values = np.asarray(values, dtype=np.float64)
+        low, high = max(low - half, -LARGEST), min(high + half, LARGEST)
+    half = high / 2 - low / 2
+    if not 1e-290 < half < 1e300:  # the same, of numbers that float64 can divide
+        exponent = int(np.frexp(half)[1])
+        with np.errstate(over="ignore"):
+            values, ends = np.ldexp(values, -exponent), np.ldexp([low, high], -exponent)
+        edges, counts = histogram(values, float(ends[0]), float(ends[1]), bins)
+        return np.ldexp(edges, exponent), counts
     edges = low + (high - low) * (np.arange(bins + 1) / bins)
     edges[-1] = high
     place = values - low

@@ -44,13 +44,16 @@ class Metric:
     unit : int
         Power of a length that values carry: 3 for a volume, 1 for a length, 0 for none.
     kinds : tuple of int
-        Cell kinds (see `hexalab.cells.KINDS`) that have the metric in Verdict under this name.
+        Cell kinds (see `hexalab.cells.KINDS`) that have the metric.
     formula : str
         For a hexahedron with corner edges u, v, w (right-handed) and principal axes X, Y, Z, the sums of the four
         edges of each direction. After C. J. Stimpson, C. D. Ernst, P. Knupp, P. P. Pebay, D. Thompson, "The Verdict
-        Geometric Quality Library", SAND2007-1751, as VTK 9.6 computes it.
+        Geometric Quality Library", SAND2007-1751.
     remark : str
-        Where Verdict returns its sentinel, 1e30 (here: the infinity at the worst end), or a value that surprises.
+        Where it is not defined (here: the infinity at the worst end; Verdict's sentinel is 1e30), where VTK's Verdict
+        departs from the definition, or a value that surprises.
+    variant : str
+        Which it is of several that go by this name in the field, for the screen; empty if there is but one.
     """
 
     id: str
@@ -65,6 +68,7 @@ class Metric:
     kinds: tuple[int, ...]
     formula: str
     remark: str = ""
+    variant: str = ""
 
     def normalise(self, values: Array, low: float, high: float) -> Floats:
         """Map native values to [0, 1], 1 best (the paper's phi).
@@ -111,84 +115,111 @@ HEX_TET = (HEXAHEDRON, TETRAHEDRON)
 HEX_WEDGE = (HEXAHEDRON, WEDGE)
 HEX_WEDGE_TET = (HEXAHEDRON, WEDGE, TETRAHEDRON)
 
-SHORT_EDGE = "Sentinel where an edge, squared, is below 2.2e-15 of the squared diagonal of the cell's box."
+SHORT_EDGE = "Not defined where an edge, squared, is below 2.2e-15 of the squared diagonal of the cell's box."
 FLAT_CORNER = "where a corner's determinant is not above 2.2e-15 of the cubed diagonal of the cell's box."
 SIZE = (
-    "Verdict's size of a hexahedron is the mean determinant of its corners. 0 where eight times that, or the mean "
-    "volume, is not above 2.2e-15, in the file's unit: cells of edges below 1e-5 all get 0. Sentinel if the mean "
-    "volume is negative."
+    "Verdict's size of a hexahedron is the mean determinant of its corners. 0 for a cell without a positive size, and "
+    "for all where the mean volume is not positive. VTK 9.6 gives 0 to cells of edges below 1e-5 of the file's unit, "
+    "too: not taken over."
 )
 """Quirks that several metrics share; each kernel's docstring has its own thresholds."""
 
 _ROWS = (
     Metric("diagonal", "Diagonal", "DIA", (0, 1), (0.65, 1), 1, "high", IDENTITY, 0, HEX,
         "shortest over longest of the four space diagonals",
-        "Sentinel where the box diagonal is below 2.2e-15."),
+        "Not defined where all of them vanish."),
     Metric("distortion", "Distortion", "DIS", (-inf, inf), (0.5, 1), 1, "high", BETWEEN_EXTREMES, 0,
         HEX_WEDGE_TET, "smallest determinant of corners and 2 x 2 x 2 Gauss points, over the volume",
-        "Both are signed, so that an inverted cell may get 1. Sentinel where the volume is 0. Wrong for "
-        "determinants above 8e30: Verdict starts at 1e30 when it looks for the smallest. Tetrahedra: 1."),
+        "Both are signed, so that an inverted cell may get 1. Not defined where the volume is 0. The manual leaves the "
+        "points open; these are VTK's. Tetrahedra: 1.", variant="with corners"),
     Metric("edge_ratio", "Edge Ratio", "ER", (1, inf), None, 1, "low", DOWN_TO_ONE, 0, HEX_WEDGE_TET,
         "longest over shortest edge",
-        "VTK 9.6 looks for a hexahedron's longest edge among 01, 12, 23, 30, 45 and 56 alone, so that values "
-        "are too small, even below 1; so are ours. " + SHORT_EDGE),
+        "VTK 9.6 looks for a hexahedron's longest edge among 01, 12, 23, 30, 45 and 56 alone, so that its values "
+        "are too small, even below 1: not taken over. " + SHORT_EDGE),
     Metric("jacobian", "Jacobian", "J", (-inf, inf), (0, inf), 1, "high", BETWEEN_EXTREMES, 3, ALL,
-        "min of u.(v x w) at the eight corners and X.(Y x Z) / 64",
-        "Clamped at 1e30: infinite there."),
+        "min of u.(v x w) at the eight corners and X.(Y x Z) / 64", variant="with the centre"),
     Metric("max_edge_ratio", "Maximum Edge Ratio", "MER", (1, inf), (1, 1.3), 1, "low", DOWN_TO_ONE, 0, HEX,
         "longest over shortest of X, Y, Z",
-        "Sentinel where one of them is below 2.2e-15 of the box diagonal."),
+        "Not defined where one of them is below 2.2e-15 of the box diagonal.", variant="of principal axes"),
     Metric("max_aspect_frobenius", "Maximum Aspect Frobenius", "MAAF", (1, inf), (1, 3), 1, "low", DOWN_TO_ONE,
         0, HEX_WEDGE, "max over corners of |A| |A^-1| / 3, A = (u, v, w)",
-        "Sentinel " + FLAT_CORNER + " Wedges: aspects of the corners' tetrahedra over 1.16477, rounded, so "
-        "that the unit wedge gets 1.0000034."),
+        "Not defined " + FLAT_CORNER + " Wedges: aspects of the corners' tetrahedra over those of the unit wedge, "
+        "which VTK 9.6 rounds."),
     Metric("mean_aspect_frobenius", "Mean Aspect Frobenius", "MEAF", (1, inf), (1, 3), 1, "low", DOWN_TO_ONE,
         0, HEX_WEDGE, "mean over corners of |A| |A^-1| / 3, A = (u, v, w)",
         "As for the maximum."),
     Metric("oddy", "Oddy", "ODD", (0, inf), (0, 0.5), 0, "low", DOWN_TO_ZERO, 0, HEX,
         "max over corners and centre of (|A^T A|^2 - |A|^4 / 3) / det(A)^(4/3)",
-        "Sentinel where a determinant is not above 2.2e-15, in the file's unit: cells of edges below 1.3e-5 "
-        "have none."),
+        "Not defined " + FLAT_CORNER + " VTK 9.6 compares determinants with 2.2e-15 in the file's unit, so that cells "
+        "of edges below 1.3e-5 have none: not taken over.", variant="with the centre"),
     Metric("relative_size_squared", "Relative Size Squared", "RSS", (0, 1), (0.5, 1), None, "high", IDENTITY, 0,
         HEX_TET, "min(D, 1/D)^2, D the cell's size over the mean volume of the mesh's cells of its kind", SIZE),
     Metric("scaled_jacobian", "Scaled Jacobian", "SJ", (-1, 1), (0.5, 1), 1, "high", IDENTITY, 0, ALL,
         "min over corners and centre of u.(v x w) / (|u| |v| |w|)",
-        SHORT_EDGE + " Rounding may pass 1 by 1e-15."),
+        SHORT_EDGE + " Rounding may pass 1 by 1e-15.", variant="with the centre"),
     Metric("shape", "Shape", "SHA", (0, 1), (0.3, 1), 1, "high", IDENTITY, 0, ALL,
         "min over corners of 3 det(A)^(2/3) / |A|^2",
-        "The manual's centre is left out by VTK. 0 " + FLAT_CORNER),
+        "The manual says “at the element corners” and has the centre in its formula; VTK leaves it out. 0 "
+        + FLAT_CORNER, variant="at corners"),
     Metric("shape_and_size", "Shape and Size", "SHAS", (0, 1), (0.2, 1), None, "high", IDENTITY, 0, HEX_TET,
         "shape times relative size squared", SIZE),
     Metric("shear", "Shear", "SHE", (0, 1), (0.3, 1), 1, "high", IDENTITY, 0, HEX,
         "min over corners of u.(v x w) / (|u| |v| |w|), 0 where not positive",
-        "0 also where an edge is short, as for the Scaled Jacobian, and " + FLAT_CORNER),
+        "The manual says “at the element corners” and has the centre in its formula; VTK leaves it out. 0 also where "
+        "an edge is short, as for the Scaled Jacobian, and " + FLAT_CORNER, variant="at corners"),
     Metric("shear_and_size", "Shear and Size", "SHES", (0, 1), (0.2, 1), None, "high", IDENTITY, 0, HEX,
         "shear times relative size squared", SIZE),
     Metric("skew", "Skew", "SKE", (0, inf), (0, 0.5), 0, "low", DOWN_TO_ZERO, 0, HEX,
         "largest |cosine| between X, Y, Z",
-        "Sentinel where one of them is below 4.4e-15 of the box diagonal."),
+        "Not defined where one of them is below 4.4e-15 of the box diagonal.", variant="of principal axes"),
     Metric("stretch", "Stretch", "STR", (0, inf), (0.25, 1), 1, "high", SHARE_OF_HIGHEST, 0, HEX,
         "sqrt(3) shortest edge / longest space diagonal",
-        "Sentinel where the box diagonal is below 2.2e-15."),
+        "Not defined where all diagonals vanish."),
     Metric("taper", "Taper", "TAP", (0, inf), (0, 0.5), 0, "low", DOWN_TO_ZERO, 0, HEX,
         "max of |XY| / min(|X|, |Y|) and the same of XZ and YZ, XY the mixed second difference",
-        "Sentinel where X, Y or Z is below 2.2e-15 of the box diagonal."),
+        "Not defined where X, Y or Z is below 2.2e-15 of the box diagonal."),
     Metric("volume", "Volume", "VOL", (-inf, inf), (0, inf), 1, "high", BETWEEN_EXTREMES, 3, ALL,
         "signed volume of the trilinear cell",
-        "VTK 9.6 integrates; the manual's X.(Y x Z) / 64 is another number. Clamped at 1e30: infinite there."),
+        "VTK 9.6 integrates, too; the manual's X.(Y x Z) / 64 is another number.", variant="by integration"),
     Metric("dimension", "Dimension", "DIM", (0, inf), None, 1 / sqrt(3), "high", SHARE_OF_HIGHEST, 1, HEX,
         "volume / sqrt(2 sum of squared volume gradients)",
-        "Summed from raw coordinates, which loses digits far from the origin; so do we. Sentinel where all "
-        "vanishes."),
+        "Not defined where all of them vanish.", variant="of Pronto"),
     Metric("equiangle_skew", "Equiangle Skew", "EAS", (0, 3), None, 0, "low", DOWN_TO_ZERO, 0, ALL,
         "max over face angles of (angle - 90) / 90 and (90 - angle) / 90, in degrees",
-        "The widest angle of a face that is not convex counts as 360 minus it, so that values pass 1; faces "
-        "with an edge below 2.2e-15 count as -1. Tetrahedra: dihedral angles count too."),
+        "The widest angle of a face that is not convex is beyond 180 degrees, so that values pass 1; faces with an "
+        "edge below 2.2e-15 of the longest count as -1. Tetrahedra: dihedral angles count too."),
     Metric("nodal_jacobian_ratio", "Nodal Jacobian Ratio", "NJR", (-inf, 1), None, 1, "high", BETWEEN_EXTREMES,
         0, HEX, "smallest over largest u.(v x w) of the eight corners",
-        "Sentinel where the largest is not above 2.2e-15, in the file's unit. Expanded from raw coordinates, "
-        "which loses digits far from the origin; so do we. Wrong where all are above 1e30, as for distortion."),
+        "Not defined where the largest is not above 2.2e-15 of the cubed diagonal of the cell's box.",
+        variant="at corners"),
+    Metric("sicn", "Inverse Condition Number", "SICN", (-1, 1), None, 1, "high", IDENTITY, 0, ALL,
+        "min over corners of 3 det(A) / (|A| |adj A|), A from the ideal cell's edges to the cell's",
+        "Gmsh's minSICN. The ideal cells have edges of 1; a pyramid has the corners of its base. 0 where a corner has "
+        "no extent.", variant="signed, as in Gmsh"),
+    Metric("gauss_jacobian_ratio", "Gauss Jacobian Ratio", "GJR", (-inf, 1), None, 1, "high", BETWEEN_EXTREMES,
+        0, HEX, "smallest over largest u.(v x w) of the 2 x 2 x 2 Gauss points",
+        "What finite-element programs call the Jacobian ratio of a linear hexahedron that is integrated fully. Not "
+        "defined where the largest is not above 2.2e-15 of the cubed diagonal of the cell's box.",
+        variant="2 x 2 x 2 points"),
+    Metric("warpage", "Warpage", "WAR", (0, 2), (0, 0.7), 0, "low", DOWN_TO_ZERO, 0, (*HEX_WEDGE, PYRAMID),
+        "max over quadrilateral faces of 1 - min(n0.n2, n1.n3)^3, n the unit normals at its corners",
+        "Verdict's of quadrilaterals; the manual gives the acceptable range, 0.3 to 1, for 1 minus this. A corner "
+        "without a normal counts as planar.",
+        variant="of faces"),
+    Metric("smallest_face_angle", "Smallest Face Angle", "SFA", (0, 90), (45, 90), 90, "high", SHARE_OF_HIGHEST, 0,
+        ALL, "smallest angle between two edges of a face, in degrees",
+        "The acceptable range is Verdict's of quadrilaterals. Of a face with two corners in one place, the angles of "
+        "the triangle count.", variant="degrees"),
+    Metric("largest_face_angle", "Largest Face Angle", "LFA", (60, 360), (60, 135), 90, "low", DOWN_TO_ZERO, 0,
+        ALL, "largest angle between two edges of a face, in degrees",
+        "Beyond 180 where a face is not convex. The acceptable range ends as Verdict's of quadrilaterals.",
+        variant="degrees"),
+    Metric("characteristic_length", "Characteristic Length", "CL", (-inf, inf), (0, inf), 1, "high",
+        BETWEEN_EXTREMES, 1, ALL, "volume over the area of the largest face",
+        "As LS-DYNA's of solid elements, which bounds their time step. The area is half the cross product of the "
+        "diagonals. Not defined where no face has an area.", variant="volume over largest face"),
 )  # fmt: skip
 
 METRICS: dict[str, Metric] = {metric.id: metric for metric in _ROWS}
-"""All metrics by id: the eighteen of the paper's table, in its order, then Verdict's three others."""
+"""All metrics by id: the eighteen of the paper's table, in its order, Verdict's three others, and six that engineers
+ask for beside."""

@@ -36,11 +36,11 @@ def _same(values: Floats, low: float, high: float) -> Floats:
 
 
 def _rise(values: Floats, low: float, high: float) -> Floats:
-    return (values - low) / (high - low)
+    return (values / 2 - low / 2) / (high / 2 - low / 2)  # halves: the range may pass what float64 holds
 
 
 def _rise_back(values: Floats, low: float, high: float) -> Floats:
-    return low + values * (high - low)
+    return low * (1 - values) + high * values
 
 
 def _fall_to_one(values: Floats, low: float, high: float) -> Floats:
@@ -70,7 +70,7 @@ def _share_back(values: Floats, low: float, high: float) -> Floats:
 IDENTITY = Normalisation(_same, _same)
 """phi(q) = q, clamped to [0, 1]: for the Scaled Jacobian that is max(q, 0)."""
 
-BETWEEN_EXTREMES = Normalisation(_rise, _rise_back, lambda low, high: high - low)
+BETWEEN_EXTREMES = Normalisation(_rise, _rise_back, lambda low, high: high / 2 - low / 2)
 """phi(q) = (q - qmin) / (qmax - qmin)."""
 
 DOWN_TO_ONE = Normalisation(_fall_to_one, _fall_to_one_back, lambda low, high: high - 1)
@@ -91,4 +91,4 @@ def is_empty(normalisation: Normalisation, low: float, high: float, has_unit: bo
     if normalisation.span is None:
         return False
     scale = max(abs(low), abs(high), 0.0 if has_unit else 1.0)
-    return not (high - low > ROUNDING * scale and normalisation.span(low, high) > 0)
+    return not (high / 2 - low / 2 > ROUNDING * (scale / 2) and normalisation.span(low, high) > 0)

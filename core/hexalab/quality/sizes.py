@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import inf
 
 import numpy as np
 
@@ -11,7 +10,6 @@ from ..arrays import Floats
 from ..cells import HEXAHEDRON, TETRAHEDRON
 from ..mesh import Mesh
 from .block import TOLERANCE
-from .hexahedron import HUGE
 
 NEEDS = {
     "relative_size_squared": ("volume", "corner_sum"),
@@ -24,7 +22,7 @@ NEEDS = {
 def volumes_of_kinds(mesh: Mesh, values: dict[str, Floats]) -> dict[int, Floats]:
     """Return the volumes whose mean a cell's size is compared with, by kind, from `values` of volume and corner sum."""
     of = {
-        HEXAHEDRON: lambda cells: np.clip(values["volume"][cells], -HUGE, HUGE),
+        HEXAHEDRON: lambda cells: values["volume"][cells],
         TETRAHEDRON: lambda cells: values["corner_sum"][cells] / 6,
     }
     present = {kind: mesh.kinds == kind for kind in of}
@@ -37,17 +35,18 @@ def with_sizes(
     """Add the wanted size metrics to `values`, from what `NEEDS` names.
 
     Relative size squared is min(D, 1/D)^2, D the cell's size over the mean volume of the mesh's cells of its kind:
-    `means`, by kind, where the mesh is a part of another.
+    `means`, by kind, where the mesh is a part of another. Verdict's size of a hexahedron is the mean of its corners'
+    determinants, not the volume; of a tetrahedron it is the volume.
     """
     if not any(metric in NEEDS for metric in wanted):
         return
     if means is None:
         means = {kind: float(found.mean()) for kind, found in volumes_of_kinds(mesh, values).items()}
     size = np.full(mesh.cell_count, np.nan)
-    for kind, of_kind in ((HEXAHEDRON, _of_hexahedra), (TETRAHEDRON, _of_tetrahedra)):
+    for kind, share in ((HEXAHEDRON, 8), (TETRAHEDRON, 6)):
         cells = mesh.kinds == kind
         if cells.any():
-            size[cells] = of_kind(values["corner_sum"][cells], means[kind])
+            size[cells] = _relative_to(means[kind], values["corner_sum"][cells] / share)
     hexahedra = mesh.kinds == HEXAHEDRON
     for metric in wanted:
         if metric == "relative_size_squared":
@@ -58,36 +57,15 @@ def with_sizes(
                 values[metric] = np.where((factor == 0) & hexahedra, 0.0, factor * size)
 
 
-def _of_hexahedra(total: Floats, mean: float) -> Floats:
-    """Relative size squared from the sum of the corners' determinants: Verdict's size is their mean, not the volume.
+def _relative_to(mean: float, size: Floats) -> Floats:
+    """Square of the ratio of sizes, or of its inverse if that is smaller; 0 where one of them is not positive.
 
-    0 where that sum, or the mean volume, is not above 2.2e-15 (with a unit!). A negative mean volume makes Verdict take
-    the root of a negative number: -inf then, where the sum is positive.
+    So says the manual. VTK 9.6 takes the root of a negative mean, and gives 0 to cells of edges below 1e-5 as well, by
+    a threshold in the file's unit: not taken over.
     """
-    if mean < 0:
-        out = np.full(total.shape, -inf)
-    elif mean > TOLERANCE:
-        out = _squared_ratio(total / (8 * mean))
-    else:
-        out = np.zeros(total.shape)
-    out[~(total > TOLERANCE)] = 0
-    return out
-
-
-def _of_tetrahedra(total: Floats, mean: float) -> Floats:
-    """Relative size squared from six times the volume; 0 where D, or the mean volume (with a unit!), is below 2.2e-15.
-
-    A negative mean volume makes Verdict take the root of a negative number: -inf for every cell then.
-    """
-    if not mean > TOLERANCE:
-        return np.full(total.shape, -inf if mean < 0 else 0.0)
-    ratio = total / (6 * mean)
-    out = _squared_ratio(ratio)
-    out[~(ratio > TOLERANCE)] = 0
-    return out
-
-
-def _squared_ratio(ratio: Floats) -> Floats:
+    if mean <= 0:
+        return np.where(np.isnan(size), size, 0.0)
+    ratio = size / mean
     with np.errstate(divide="ignore"):
         smaller = np.minimum(ratio, 1 / ratio)
-    return np.asarray(smaller * smaller)
+    return np.where(ratio <= TOLERANCE, 0.0, smaller * smaller)

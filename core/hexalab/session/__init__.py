@@ -10,6 +10,7 @@ opened, which starts with their defaults.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from time import perf_counter
 from typing import Any
 
@@ -21,6 +22,7 @@ from .. import status as documents
 from ..diagnosis import turn_round
 from ..errors import HexaLabError
 from ..formats import read_bytes
+from ..mesh import Mesh
 from ..packing import jsonable, pack
 from . import inspection, known, measuring
 from .opened import DESCRIBED, Opened
@@ -32,6 +34,16 @@ Result = dict[str, Any]
 
 SETTINGS = documents.core_part(documents.DEFAULTS)
 """The settings that a mesh is first drawn under."""
+
+
+def measurable(mesh: Mesh) -> Mesh:
+    """The mesh; where its coordinates are too large or too small for products, in another unit, which a note names."""
+    near, exponent = mesh.within_reach
+    if not exponent:
+        return mesh
+    tens = round(exponent * np.log10(2))
+    note = f"Lengths are told in units of 2^{exponent} (about 1e{tens}) of the file's own, which is out of reach."
+    return replace(near, notes=[*near.notes, note])
 
 
 class Session:
@@ -60,7 +72,7 @@ class Session:
         began = perf_counter()
         mesh = read_bytes(data, name)
         read = perf_counter()
-        mesh = turn_round(mesh)
+        mesh = measurable(turn_round(mesh))
         faces = mesh.topology.boundary_face_count
         topology = perf_counter()
         opened = Opened(mesh)
@@ -239,7 +251,7 @@ class Session:
     def neighbour(self, face_tag: int) -> int:
         """Return the cell behind a face (cell times 8 plus local face), -1 outside."""
         cell, local = divmod(int(face_tag), 8)
-        topology = self._open_mesh().mesh.topology
+        topology = self._open_mesh().drawn_mesh.topology
         return int(topology.neighbours_of(np.array([self._cell(cell)]))[local, 0])
 
     def finding_cells(self, finding: str) -> NDArray[np.uint32]:

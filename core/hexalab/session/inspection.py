@@ -130,7 +130,7 @@ def where(mesh: Mesh, cell: int) -> dict[str, Any]:
     """Return a cell's centre and size in drawing coordinates: diagonals of the mesh from its centre."""
     own = mesh.coordinates[:, mesh.corners[:, cell]]
     low, high = own.min(axis=1), own.max(axis=1)
-    centre = (low + (high - low) / 2 - mesh.centre) / mesh.diagonal
+    centre = (low / 2 + high / 2 - mesh.centre) / mesh.diagonal
     return {"centre": centre.tolist(), "size": float(np.sqrt(((high - low) ** 2).sum())) / mesh.diagonal}
 
 

@@ -13,6 +13,7 @@ from ..arrays import Floats
 from ..attributes import Attribute, attributes, cell_values, finite_range
 from ..diagnosis import Finding, diagnose
 from ..errors import HexaLabError
+from ..filters.plane import unit
 from ..filters.stack import FilterStack
 from ..mesh import Mesh
 from ..quality import METRICS, Validity, certify, quality, statistics
@@ -62,7 +63,7 @@ class Opened:
     @cached_property
     def filters(self) -> FilterStack:
         """The filters, with what they keep between two settings."""
-        return FilterStack(self.mesh, self.values)
+        return FilterStack(self.mesh, self.values, self.drawn_mesh.topology)
 
     @cached_property
     def findings(self) -> list[Finding]:
@@ -93,7 +94,7 @@ class Opened:
         facts = STRUCTURE[part](self.mesh)
         if part == "edges":
             self.knows_edges = True
-        return {**facts, "max_depth": self.mesh.topology.max_depth} if part == "layers" else facts
+        return {**facts, "max_depth": self.drawn_mesh.topology.max_depth} if part == "layers" else facts
 
     def values(self, quantity: str) -> Floats:
         """Return the value of a quantity, a metric or an attribute, for each cell, (C,) float64.
@@ -177,7 +178,8 @@ class Opened:
             return np.asarray(1 - metric.normalise(values, *reach))
         low, high = sorted(limits or reach)
         with np.errstate(invalid="ignore", over="ignore"):
-            normal = np.clip((values - low) / (high - low), 0, 1) if high > low else (values > low) * 1.0
+            share = (values / 2 - low / 2) / (high / 2 - low / 2) if high > low else (values > low) * 1.0
+            normal = np.clip(share, 0, 1)
         normal = np.where(np.isfinite(values), normal, np.nan)
         turned = metric is not None and metric.better == "high"
         return np.asarray(1 - normal if turned else normal, dtype=np.float64)
@@ -191,7 +193,7 @@ class Opened:
 
     def max_depth(self, compute: bool) -> int | None:
         """Return the hop distance of the deepest cell; None if it is not known and not to be computed."""
-        topology = self.mesh.topology
+        topology = self.drawn_mesh.topology
         return topology.max_depth if compute or "depth" in vars(topology) else None
 
     def plane_ranges(self, planes: dict[str, Any]) -> list[list[float] | None]:
@@ -204,8 +206,7 @@ class Opened:
     def _plane_range(self, plane: dict[str, Any], rule: str) -> list[float] | None:
         if not plane["offset"]:
             return None
-        normal = np.asarray(plane["normal"], dtype=np.float64)
-        middle = float((normal * self.mesh.centre).sum() / np.sqrt((normal * normal).sum()))
+        middle = float((unit(plane["normal"]) * self.mesh.centre).sum())
         places = self.filters.places(plane["normal"], rule)
         return [(end - middle) / self.mesh.diagonal for end in (places.low, places.high)]
 
@@ -216,8 +217,8 @@ class Opened:
         return OpenMesh(
             centre=_triple(mesh.centre),
             diagonal=mesh.diagonal,
-            whole_centre=_triple(low + (high - low) / 2),
-            whole_diagonal=float(np.sqrt(((high - low) ** 2).sum())) or 1.0,
+            whole_centre=_triple(low / 2 + high / 2),
+            whole_diagonal=float(np.hypot.reduce(high - low)) or 1.0,
             native=self._native,
         )
 

@@ -70,7 +70,7 @@ class Picture:
         """Return the number of faces between shown cells and hidden ones or the outside."""
         version, faces = self._shown_faces
         if version != self._version:
-            faces = len(self.opened.mesh.topology.interface(self.shown).rows)
+            faces = len(self.opened.drawn_mesh.topology.interface(self.shown).rows)
             self._shown_faces = (self._version, faces)
         return faces
 

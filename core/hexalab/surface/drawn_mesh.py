@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -13,15 +14,26 @@ from .collapse import first_places
 from .records import Floats32
 
 
+def without_repeats(mesh: Mesh) -> Mesh:
+    """The mesh with each cell that repeats another collapsed to a vertex, so that the other has faces of its own."""
+    again = mesh.topology.repeated_cells
+    if not len(again):
+        return mesh
+    corners = mesh.corners.copy()
+    corners[:, again] = corners[0, again]
+    return replace(mesh, corners=corners)
+
+
 class DrawnMesh:
-    """A mesh made ready to be drawn.
+    """A mesh made ready to be drawn: `mesh`, in which each cell is there once, and the `whole` mesh it comes from.
 
     >>> drawn_mesh = DrawnMesh(mesh)
     >>> surface = extract_surface(drawn_mesh, shown, "lines")
     """
 
     def __init__(self, mesh: Mesh) -> None:
-        self.mesh = mesh
+        self.whole = mesh
+        self.mesh = without_repeats(mesh)
 
     @property
     def topology(self) -> Topology:

@@ -32,7 +32,7 @@ def extract_irregular(drawn_mesh: DrawnMesh, barbs: bool = True, paper: bool = T
     barbs, paper : bool
         Whether to make these too; of an unstructured mesh they are many.
     """
-    topology = drawn_mesh.topology
+    topology = drawn_mesh.whole.topology
     boundary = topology.edge_on_boundary
     usual = np.where(boundary, REGULAR_BOUNDARY, REGULAR_INTERIOR)
     odd = topology.edge_cells != usual
@@ -88,7 +88,7 @@ class _FacesAround(NamedTuple):
 
 def _faces_around(drawn_mesh: DrawnMesh, edges: Array) -> _FacesAround:
     """Each face around each of some edges once."""
-    topology = drawn_mesh.topology
+    topology = drawn_mesh.whole.topology
     number = np.full(topology.edge_count + 1, -1, np.int32)
     number[edges] = np.arange(len(edges), dtype=np.int32)
     found: list[Array] = []

@@ -17,6 +17,7 @@ from .edges import FACE_EDGES, Edges, cells_around, find_edges, repeating_cells
 from .faces import Faces, find_faces
 from .hops import components, depth
 from .interface import Interface, InterfaceFinder
+from .repeats import repeated_cells
 from .stars import Stars
 
 __all__ = ["FACE_EDGES", "Edges", "Faces", "Interface", "Topology"]
@@ -49,6 +50,11 @@ class Topology:
     def faces(self) -> Faces:
         """All faces as arrays, pairs first, then the boundary."""
         return find_faces(self.corners, self.vertex_count)
+
+    @cached_property
+    def repeated_cells(self) -> Ids:
+        """(N,) int32: cells that have the very vertices of a cell before them, ascending."""
+        return repeated_cells(self.corners, self.faces)
 
     @property
     def face_cells(self) -> Ids:

@@ -1,3 +1,4 @@
+import { between, clamp, shareOf } from "../state/numbers.js";
 import { niceTicks } from "./ticks.js";
 
 /**
@@ -75,12 +76,12 @@ function barBox({ plot, upright }, from, size, share) {
 
 /** Pixel of a value along the value axis. @param {{ plot: Box, upright: boolean, low: number, high: number }} layout @param {number} value */
 export function along({ plot, upright, low, high }, value) {
-  const share = high > low ? Math.min(1, Math.max(0, (value - low) / (high - low))) : 0.5;
+  const share = high > low ? shareOf(value, low, high) : 0.5;
   return upright ? plot.x + share * plot.width : plot.y + (1 - share) * plot.height;
 }
 
 /** Value at a pixel: the inverse of `along`. @param {Layout} layout @param {number} pixel */
 export function valueUnder({ plot, upright, low, high }, pixel) {
   const share = upright ? (pixel - plot.x) / plot.width : 1 - (pixel - plot.y) / plot.height;
-  return low + Math.min(1, Math.max(0, share)) * (high - low);
+  return between(clamp(share, 0, 1), low, high);
 }

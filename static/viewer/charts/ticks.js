@@ -1,7 +1,8 @@
 /** Round values (1, 2, 5 times a power of ten) between two ends. @param {number} low @param {number} high @param {number} about how many */
 export function niceTicks(low, high, about) {
   if (!(high > low)) return [low];
-  const rough = (high - low) / Math.max(1, about);
+  const parts = Math.max(1, about);
+  const rough = high / parts - low / parts;
   const power = 10 ** Math.floor(Math.log10(rough));
   const step = power * ([1, 2, 5, 10].find((factor) => factor * power >= rough) ?? 10);
   const ticks = [];

@@ -1,4 +1,5 @@
 import { decimal } from "../state/numbers.js";
+import { isOutside } from "../state/quantity.js";
 import { watch } from "../widgets/bind.js";
 import { h } from "../widgets/dom.js";
 import { icon } from "../widgets/icons.js";
@@ -45,8 +46,8 @@ function parts(context, cell) {
   const neighbours = cell.neighbours.filter((other) => other >= 0);
   const metrics = tables.metrics
     .filter(({ id }) => cell.metrics[id] !== undefined)
-    .map(({ id, name, acceptable_range: range }) =>
-      metricRow(name, cell.pending.includes(id) ? "…" : cell.metrics[id], range),
+    .map(({ id, name, variant, acceptable_range: range }) =>
+      metricRow(name, cell.pending.includes(id) ? "…" : cell.metrics[id], range, variant),
     );
   const attributes = Object.entries(cell.attributes).map(([name, value]) => metricRow(name, value, null));
   return [
@@ -76,12 +77,9 @@ function parts(context, cell) {
   ].filter((part) => part !== null);
 }
 
-/** @param {string} name @param {unknown} value @param {readonly [number | null, number | null] | null} range */
-function metricRow(name, value, range) {
-  const outside =
-    range &&
-    typeof value === "number" &&
-    ((range[0] !== null && value < range[0]) || (range[1] !== null && value > range[1]));
+/** @param {string} name @param {unknown} value @param {readonly [number | null, number | null] | null} range @param {string} [variant] */
+function metricRow(name, value, range, variant = "") {
+  const outside = range && typeof value === "number" && isOutside(value, range);
   const text =
     typeof value === "number"
       ? decimal(value)
@@ -94,7 +92,7 @@ function metricRow(name, value, range) {
     text,
     outside ? h("span", { class: "visually-hidden" }, " outside the acceptable range") : null,
   );
-  return h("tr", {}, h("th", { scope: "row" }, name), cell);
+  return h("tr", {}, h("th", { scope: "row", ...(variant ? { title: variant } : {}) }, name), cell);
 }
 
 /** @param {string} caption @param {HTMLElement[]} rows */

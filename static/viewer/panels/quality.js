@@ -27,6 +27,7 @@ export const quality = {
       read: (context) => quantityOf(context).id,
       write: chooseQuantity,
     },
+    { kind: "custom", render: variant },
     { kind: "custom", render: histogramPanel },
     { kind: "custom", render: digest },
     {
@@ -89,6 +90,16 @@ function statisticsOf(context) {
 
 /** @type {import("../widgets/bind.js").Dependencies} */
 const WATCHED = { status: ["colour"], facts: ["statistics", "summary"] };
+
+/** Which of the metrics it is that go by its name. @param {Context} context */
+function variant(context) {
+  const element = h("p", { class: "quiet variant" });
+  watch(context, WATCHED, () => {
+    element.textContent = quantityOf(context).variant;
+    element.hidden = !element.textContent;
+  });
+  return element;
+}
 
 /** Minimum, mean and what lies outside the acceptable range, in one line under the histogram. @param {Context} context */
 function digest(context) {

@@ -41,6 +41,16 @@ export function parsed(text) {
   return Number.isFinite(value) ? value : null;
 }
 
+/** Where a value is between two ends, 0 to 1, though their distance may pass what a number holds. @param {number} value @param {number} low @param {number} high */
+export function shareOf(value, low, high) {
+  return clamp((value / 2 - low / 2) / (high / 2 - low / 2), 0, 1);
+}
+
+/** The value at a share between two ends. @param {number} share @param {number} low @param {number} high */
+export function between(share, low, high) {
+  return low * (1 - share) + high * share;
+}
+
 /** @param {number} value @param {number} low @param {number} high */
 export function clamp(value, low, high) {
   return Math.min(high, Math.max(low, value));

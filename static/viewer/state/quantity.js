@@ -8,7 +8,7 @@ import { metricOf } from "./tables.js";
  * @property {import("./facts.js").Facts} facts
  * @property {import("./tables.js").Tables} tables
  *
- * @typedef {{ id: string, name: string, symbol: string, attribute: boolean, worstValue: number, bestValue: number,
+ * @typedef {{ id: string, name: string, symbol: string, variant: string, attribute: boolean, worstValue: number, bestValue: number,
  *   acceptable: readonly [number | null, number | null] | null }} Quantity
  */
 
@@ -27,11 +27,23 @@ export function quantityOf({ store, facts, tables }) {
     id,
     name: row?.name ?? attributeName(facts.get("summary"), id),
     symbol: row?.symbol ?? "",
+    variant: row?.variant ?? "",
     attribute: !row,
     bestValue: statistics?.best_value ?? (better === "low" ? low : high),
     worstValue: statistics?.worst_value ?? (better === "low" ? high : low),
     acceptable: row?.acceptable_range ?? null,
   };
+}
+
+/** Part of a range's end by which a value may pass it: rounding. */
+const ROUNDING = 1e-12;
+
+/** Whether a value is outside of a range, but for rounding. @param {number} value @param {readonly [number | null, number | null]} range */
+export function isOutside(value, [low, high]) {
+  return (
+    (low !== null && value < low - ROUNDING * Math.abs(low)) ||
+    (high !== null && value > high + ROUNDING * Math.abs(high))
+  );
 }
 
 /** @param {import("./facts.js").MeshSummary | null} summary @param {string} id */

@@ -6,6 +6,7 @@
  * @property {string} id
  * @property {string} name
  * @property {string} symbol
+ * @property {string} variant which of several that go by the name; may be empty
  * @property {"high" | "low"} better
  * @property {readonly [number | null, number | null]} full_range null: unbounded
  * @property {readonly [number | null, number | null] | null} acceptable_range

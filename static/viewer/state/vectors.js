@@ -10,10 +10,13 @@ export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 /** @param {Vector} a @param {number} s @returns {Vector} */
 export const scaled = (a, s) => [a[0] * s, a[1] * s, a[2] * s];
 
-/** The vector's direction; x where it has none. @param {Vector} a @returns {Vector} */
+/** The vector's direction, whatever its length; x where it has none. @param {Vector} a @returns {Vector} */
 export function normalised(a) {
-  const length = Math.hypot(...a);
-  return length > 0 ? scaled(a, 1 / length) : [1, 0, 0];
+  const largest = Math.max(...a.map(Math.abs));
+  if (!(largest > 0)) return [1, 0, 0];
+  /** @type {Vector} */
+  const near = [a[0] / largest, a[1] / largest, a[2] / largest];
+  return scaled(near, 1 / Math.hypot(...near));
 }
 
 /** The signed axis nearest to a direction. @param {Vector} a @returns {Vector} */

@@ -1,3 +1,4 @@
+import { shareOf } from "../state/numbers.js";
 import { readValue, reset, writeValue } from "./bind.js";
 import { freshId, h, setAttribute } from "./dom.js";
 import { numberField } from "./number_field.js";
@@ -41,10 +42,7 @@ export function slider(context, control) {
     setAttribute(input, "max", high);
     setAttribute(input, "step", step);
     input.value = String(value);
-    input.style.setProperty(
-      "--fill",
-      high > low ? String(Math.min(1, Math.max(0, (value - low) / (high - low)))) : "0",
-    );
+    input.style.setProperty("--fill", high > low ? String(shareOf(value, low, high)) : "0");
     end.update(value);
   }
 

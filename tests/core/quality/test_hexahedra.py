@@ -10,13 +10,32 @@ from tests.core.quality import verdict
 from tests.core.quality.verdict import CUBE, assert_equal, hexahedra, mesh_of, of_corners, samples
 
 SAMPLES = {**samples(), **hexahedra()}
+TRIPLES = (
+    (0, 1, 3, 4), (1, 2, 0, 5), (2, 3, 1, 6), (3, 0, 2, 7), (4, 7, 5, 0), (5, 4, 6, 1), (6, 5, 7, 2), (7, 6, 4, 3),
+)  # fmt: skip
+AXES = (((0, 3, 4, 7), (1, 2, 5, 6)), ((0, 1, 4, 5), (3, 2, 7, 6)), ((0, 1, 2, 3), (4, 5, 6, 7)))
 
 
 @pytest.mark.parametrize("metric", verdict.NAMES)
 @pytest.mark.parametrize("sample", SAMPLES)
 def test_Q1_hexahedra_equal_verdict(metric: str, sample: str) -> None:
     corners = SAMPLES[sample]
-    assert_equal(quality(mesh_of(corners), metric), of_corners(corners, metric))
+    if metric in ("oddy", "nodal_jacobian_ratio"):
+        corners = corners[~near_the_threshold(corners)]
+    noise = 1e-20 if "size" in metric else 0
+    assert_equal(quality(mesh_of(corners), metric), of_corners(corners, metric), noise)
+
+
+def near_the_threshold(corners: np.ndarray) -> np.ndarray:
+    """Whether a determinant is near 2.2e-15 of the cube of the cell's size: Verdict has it in the file's unit."""
+    size = np.linalg.norm(np.ptp(corners, axis=1), axis=1)
+    edges = [corners[:, list(ends)] - corners[:, corner, None] for corner, *ends in TRIPLES]
+    x, y, z = ((corners[:, AXES[axis][1]] - corners[:, AXES[axis][0]]).sum(axis=1) for axis in range(3))
+    found = (
+        np.abs([*(np.linalg.det(edge) for edge in edges), np.linalg.det(np.stack([x, y, z], axis=1))])
+        / size**3
+    )
+    return ((found > 1e-17) & (found < 1e-13)).any(axis=0)
 
 
 def test_Q1_all_at_once_equals_one_by_one() -> None:
@@ -77,13 +96,10 @@ def test_Q1_sentinels_are_infinite_at_the_worst_end() -> None:
     assert METRICS["skew"].worst == np.inf
 
 
-def test_Q1_what_passes_1e30_is_infinite_with_its_sign() -> None:
+def test_Q7_what_passes_verdicts_bound_of_1e30_is_what_it_is() -> None:
     corners = np.stack([CUBE * 2e10, CUBE * 2e10 * [1, 1, -1], CUBE * 0.5e10])
     for metric in ("volume", "jacobian"):
-        values = quality(mesh_of(corners), metric)
-        assert values[0] == np.inf
-        assert values[1] == -np.inf
-        assert values[2] == pytest.approx(0.125e30)
+        np.testing.assert_allclose(quality(mesh_of(corners), metric), [8e30, -8e30, 0.125e30])
 
 
 def test_Q1_coordinates_that_are_no_numbers_spoil_their_own_cell_alone() -> None:

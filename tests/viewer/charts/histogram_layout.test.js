@@ -61,3 +61,13 @@ test("ticks are round, inside, and about as many as asked for", () => {
     assert.ok(ticks.every((tick) => tick >= low - 1e-12 && tick <= high + 1e-12));
   }
 });
+
+test("ranges that pass what a number holds have places and ticks", () => {
+  const chart = { plot: { x: 0, y: 0, width: 100, height: 50 }, upright: true, low: -1.7e308, high: 1.7e308 };
+  assert.equal(along(chart, 0), 50);
+  assert.equal(along(chart, 1.7e308), 100);
+  assert.ok(Math.abs(valueUnder(/** @type {any} */ (chart), 50)) < 1e295);
+  const ticks = niceTicks(-1.7e308, 1.7e308, 7);
+  assert.ok(ticks.length >= 3 && ticks.every(Number.isFinite), String(ticks));
+  assert.equal(along({ ...chart, low: 5e-324, high: 1.5e-323 }, 5e-324), 0);
+});
