@@ -39,6 +39,7 @@ listenToClipboard(app);
 const api = new HexaLab(app);
 Object.assign(window, { hexalab: api });
 answerMessages(api);
+document.getElementById("could-not-start")?.remove();
 openWhatTheAddressNames().catch(() => {}); // said in a message by whoever failed
 
 /** @returns {{ scene: import("./scene/scene_like.js").SceneLike, lack: string }} one that draws nothing where the browser lacks WebGL 2 */

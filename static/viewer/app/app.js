@@ -6,6 +6,7 @@ import { Messages } from "./messages.js";
 import { fromFile, fromUrl, Opening } from "./opening.js";
 import { Progress } from "./progress.js";
 import { Saving } from "./saving.js";
+import { StartWatch } from "./start_watch.js";
 import { Batch, meshesOf } from "../batch/batch.js";
 import { readZip } from "../files/zip.js";
 import { Catalogue } from "../catalogue/catalogue.js";
@@ -61,18 +62,23 @@ export class App {
     const { client, scene, facts, store, messages } = this;
     const began = performance.now();
     const starting = this.progress.begin("starting Python");
-    client.ready.then(
-      () => {
+    const watch = new StartWatch(client, messages);
+    client.ready
+      .then(
+        () => {
+          this.note({ boot: performance.now() - began });
+          facts.set({ core: "ready" });
+        },
+        (/** @type {Error} */ error) => {
+          facts.set({ core: "failed" });
+          const action = { name: "try again", press: () => location.reload() };
+          messages.say("error", `Python could not be started: ${error.message}`, { topic: "core", action });
+        },
+      )
+      .finally(() => {
         starting.end();
-        this.note({ boot: performance.now() - began });
-        facts.set({ core: "ready" });
-      },
-      (/** @type {Error} */ error) => {
-        starting.end();
-        facts.set({ core: "failed" });
-        messages.say("error", `Python could not be started: ${error.message}`);
-      },
-    );
+        watch.end();
+      });
     client.addEventListener("identified", (event) => {
       const { sha256 } = /** @type {CustomEvent<{ sha256: string }>} */ (event).detail;
       store.set({ mesh: { sha256 } }, { undo: false });
@@ -83,6 +89,15 @@ export class App {
       messages.say("warning", "The core stopped and is being started again", { topic: "core" });
     });
     client.addEventListener("restarted", () => this.#restarted());
+    client.addEventListener("stopped", (event) => {
+      const { error } = /** @type {CustomEvent<{ error: Error }>} */ (event).detail;
+      this.drawing.pause();
+      facts.set({ core: "failed" });
+      messages.say("error", `The core stopped again and was left alone: ${error.message}`, {
+        topic: "core",
+        action: { name: "start it again", press: () => client.restart() },
+      });
+    });
     scene.on("camera", (camera) => store.set({ camera }, { undo: "camera" }));
     scene.on("cameraend", () => store.seal());
     scene.on("contextlost", () =>

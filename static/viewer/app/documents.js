@@ -1,3 +1,5 @@
+import { plain } from "../state/plain.js";
+
 /**
  * @typedef {import("../state/answers.js").Rejection} Rejection
  * @typedef {import("../state/entry.js").Index} Index
@@ -21,16 +23,38 @@ export class Documents {
    * @returns {Promise<Rejection[]>} what could not be applied
    */
   async apply(document) {
-    const { client, store, messages, facts } = this.#app;
-    await client.ready;
-    const { partial, rejections } = await client.call("check", [document]);
-    const { mesh, ...settings } = partial;
+    const { store, facts } = this.#app;
+    const given = plain(document);
+    const { mesh, settings, rejections } = await this.#checked(given);
     store.seal();
     store.set(settings, {});
     store.seal();
-    if (rejections.length) messages.say("warning", rejectionsInWords(rejections), { topic: "status" });
-    if (mesh && !this.#isOpen(mesh)) this.#offer(mesh, document, facts.get("catalogue"));
+    if (mesh && !this.#isOpen(mesh)) this.#offer(mesh, given, facts.get("catalogue"));
     return rejections;
+  }
+
+  /**
+   * Make the settings the defaults with these documents laid over them, one after the other: nothing that was set before
+   * stays.
+   *
+   * @param {readonly unknown[]} layers
+   */
+  async replaceBy(layers) {
+    const { store } = this.#app;
+    const { mesh: _, version: __, ...settings } = store.defaults;
+    store.set(settings, { undo: false });
+    for (const layer of layers) store.set((await this.#checked(plain(layer))).settings, { undo: false });
+    store.seal();
+  }
+
+  /** What of a document can be applied; what is wrong with the rest is told. @param {unknown} document */
+  async #checked(document) {
+    const { client, messages } = this.#app;
+    await client.ready;
+    const { partial, rejections } = await client.call("check", [document]);
+    const { mesh, ...settings } = partial;
+    if (rejections.length) messages.say("warning", rejectionsInWords(rejections), { topic: "status" });
+    return { mesh, settings, rejections };
   }
 
   /** The same from text. @param {string} text @param {string} from what the text is, for the message */

@@ -12,6 +12,7 @@ import { count } from "../state/numbers.js";
  * @property {(report: (fraction: number | null, text?: string) => void) => Promise<ArrayBuffer>} bytes
  * @property {import("../state/entry.js").Entry | null} [entry] of the catalogue
  * @property {unknown} [status] partial document to apply with the mesh
+ * @property {readonly unknown[]} [layers] documents that make up all settings, in place of those that are there
  *
  * @typedef {import("../state/answers.js").Summary} Summary
  * @typedef {import("../state/facts.js").MeshSummary} MeshSummary
@@ -117,6 +118,7 @@ export class Opening {
     facts.set({ summary });
     this.#identify(origin, summary);
     drawing.begin();
+    if (origin.layers) await documents.replaceBy(origin.layers);
     if (origin.status) await documents.apply(origin.status);
     await drawing.update();
     await drawing.drawn();

@@ -2,8 +2,9 @@ import { CoreError, Superseded } from "../core/client.js";
 import { readZip, writeZip } from "../files/zip.js";
 
 /**
- * A zip of meshes in, a zip of pictures, histograms and measurements out (SPEC B1). All are drawn under one status, or
- * under the one beside the mesh (`name.json` or `name.txt`). A mesh that fails is told in the table; the rest goes on.
+ * A zip of meshes in, a zip of pictures, histograms and measurements out (SPEC B1). Each is drawn under the defaults with
+ * the common status laid over them, and over that the one beside the mesh (`name.json` or `name.txt`), of which nothing
+ * stays for the next. A mesh that fails is told in the table; the rest goes on.
  *
  * @typedef {import("../files/zip.js").Entry} Entry
  * @typedef {{ width?: number, height?: number, status?: unknown, signal?: AbortSignal,
@@ -16,7 +17,8 @@ import { readZip, writeZip } from "../files/zip.js";
  * @property {Pick<import("../state/tables.js").Tables, "formats" | "metrics" | "statistics">} tables
  * @property {Pick<import("../state/facts.js").Facts, "get">} facts
  * @property {Pick<import("../core/client.js").CoreClient, "call">} client
- * @property {{ open: (origin: { name: string, bytes: () => Promise<ArrayBuffer>, status: unknown }) => Promise<Summary> }} opening
+ * @property {{ open: (origin: { name: string, bytes: () => Promise<ArrayBuffer>, layers: unknown[] }) => Promise<Summary> }} opening
+ * @property {{ replaceBy: (layers: readonly unknown[]) => Promise<void> }} documents
  * @property {{ drawn: () => Promise<void> }} drawing
  * @property {{ measured: () => Promise<void> }} measures
  * @property {{ settle: (topic: string) => void }} messages
@@ -38,6 +40,28 @@ export function meshesOf(entries, formats) {
 /** A name without the extensions of a mesh. @param {string} name */
 export function stemOf(name) {
   return name.replace(/\.gz$/i, "").replace(/\.[^./]+$/, "");
+}
+
+/** The stem, or with a number added if a mesh of the same stem has it: both have pictures. @param {string} stem @param {Set<string>} names taken ones, in lower case */
+function freeName(stem, names) {
+  let free = stem;
+  for (let number = 2; names.has(free.toLowerCase()); number++) free = `${stem}-${number}`;
+  names.add(free.toLowerCase());
+  return free;
+}
+
+/** The status beside a mesh, if there is one. @param {Entry} mesh @param {Entry[]} entries @returns {Promise<unknown[]>} */
+export async function settingsBeside(mesh, entries) {
+  const stem = stemOf(mesh.name);
+  const own = entries.find(({ name }) => name === `${stem}.json` || name === `${stem}.txt`);
+  if (!own) return [];
+  try {
+    return [JSON.parse(new TextDecoder().decode(await own.read()))];
+  } catch (cause) {
+    throw new Error(`${own.name}, beside it, holds no settings: ${/** @type {Error} */ (cause).message}`, {
+      cause,
+    });
+  }
 }
 
 /** The table as CSV (RFC 4180), all columns that any row has. @param {readonly Row[]} rows */
@@ -72,26 +96,30 @@ export class Batch {
     const common = status ?? this.#host.store.status;
     const files = [];
     const rows = [];
-    for (const [index, mesh] of meshes.entries()) {
-      signal?.throwIfAborted();
-      report?.(index, meshes.length, mesh.name);
-      const { row, made } = await this.#one(mesh, entries, common, { width, height });
-      rows.push(row);
-      files.push(...made);
+    const names = new Set();
+    try {
+      for (const [index, mesh] of meshes.entries()) {
+        signal?.throwIfAborted();
+        report?.(index, meshes.length, mesh.name);
+        const { row, made } = await this.#one(mesh, entries, common, names, { width, height });
+        rows.push(row);
+        files.push(...made);
+      }
+    } finally {
+      await this.#host.documents.replaceBy([common]).catch(() => {}); // what the last mesh had of its own goes, too
     }
     report?.(meshes.length, meshes.length, "");
     files.push({ name: "measurements.csv", bytes: new TextEncoder().encode(toCsv(rows)) });
     return writeZip(files);
   }
 
-  /** @param {Entry} mesh @param {Entry[]} entries @param {unknown} common @param {{ width?: number, height?: number }} size */
-  async #one(mesh, entries, common, size) {
-    const stem = stemOf(mesh.name);
+  /** @param {Entry} mesh @param {Entry[]} entries @param {unknown} common @param {Set<string>} names taken ones @param {{ width?: number, height?: number }} size */
+  async #one(mesh, entries, common, names, size) {
+    const stem = freeName(stemOf(mesh.name), names);
     try {
-      const own = entries.find(({ name }) => name === `${stem}.json` || name === `${stem}.txt`);
-      const status = own ? JSON.parse(new TextDecoder().decode(await own.read())) : common;
+      const layers = [common, ...(await settingsBeside(mesh, entries))];
       const { buffer } = await mesh.read();
-      const summary = await this.#open(mesh.name, buffer, status);
+      const summary = await this.#open(mesh.name, buffer, layers);
       const made = [{ name: `${stem}.png`, bytes: await bytesOf(await this.#host.saving.picture(size)) }];
       await this.#host.measures.measured();
       const histogram = await this.#host.saving.histogram("png");
@@ -101,7 +129,7 @@ export class Batch {
           name: `${stem}-${quantity.replace(/[^\w-]+/g, "-")}.png`,
           bytes: await bytesOf(histogram),
         });
-      return { row: { ...rowOf(mesh.name, summary), ...(await this.#measure()) }, made };
+      return { row: { ...rowOf(mesh.name, summary, `${stem}.png`), ...(await this.#measure()) }, made };
     } catch (error) {
       if (error instanceof Superseded)
         throw new Error("the batch was stopped: another mesh was opened", { cause: error });
@@ -113,11 +141,11 @@ export class Batch {
     }
   }
 
-  /** @param {string} name @param {ArrayBuffer} bytes @param {unknown} status */
-  async #open(name, bytes, status) {
+  /** @param {string} name @param {ArrayBuffer} bytes @param {unknown[]} layers */
+  async #open(name, bytes, layers) {
     const { opening, drawing, messages } = this.#host;
     const file = name.split("/").pop() ?? name;
-    const summary = await opening.open({ name: file, bytes: async () => bytes.slice(0), status });
+    const summary = await opening.open({ name: file, bytes: async () => bytes.slice(0), layers });
     messages.settle("offer");
     await drawing.drawn();
     return summary;
@@ -135,9 +163,9 @@ export class Batch {
   }
 }
 
-/** @param {string} name @param {Summary} summary @returns {Row} */
-function rowOf(name, { vertices, cells, boundary_faces }) {
-  return { name, problem: "", vertices, cells, boundary_faces };
+/** @param {string} name @param {Summary} summary @param {string} picture @returns {Row} */
+function rowOf(name, { vertices, cells, boundary_faces }, picture) {
+  return { name, problem: "", picture, vertices, cells, boundary_faces };
 }
 
 /** @param {Blob} blob */

@@ -49,6 +49,7 @@ export function brush(svg, filter) {
   });
   svg.addEventListener("pointermove", (event) => {
     if (!drag || !layout) return;
+    if (event.pointerType === "mouse" && event.buttons === 0) return finish(); // let go where nobody told us
     const at = pixel(event, layout);
     if (drag.end) return moveEnd(drag.end, valueUnder(layout, at));
     if (Math.abs(at - drag.start) < CLICK) return;
@@ -58,12 +59,13 @@ export function brush(svg, filter) {
       "histogram",
     );
   });
-  const finish = () => {
+  function finish() {
+    if (!drag) return;
     drag = null;
     filter.done();
-  };
-  svg.addEventListener("pointerup", finish);
-  svg.addEventListener("pointercancel", finish);
+  }
+  for (const name of /** @type {const} */ (["pointerup", "pointercancel", "lostpointercapture"]))
+    svg.addEventListener(name, finish);
   svg.addEventListener("dblclick", () => filter.write(null, "histogram-clear"));
 
   /** @param {Layout} at @param {End} end @param {number} value */

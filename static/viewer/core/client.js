@@ -12,7 +12,9 @@ import { question } from "./question.js";
  * the same key that still waits (whose promise is rejected with `Superseded`), so that a pointer never queues.
  *
  * Events: "busy" when the first call starts and "idle" when the last has ended; "identified" ({sha256}) some time
- * after a file is opened; "died" and "restarted" when the core had to be started anew.
+ * after a file is opened; "loading" ({file}) when a part of the core has come; "died" and "restarted" when the core had to
+ * be started anew; "stopped" ({error}) when it died of the same thing again, or could not be started anew: then every call
+ * is refused until `restart`.
  *
  * @typedef {{ kind: string, message: string }} Failure  `kind` is the Python exception's name, e.g. "MeshReadError"
  *
@@ -21,13 +23,18 @@ import { question } from "./question.js";
  * @property {(failure: Failure) => void} failed it can't be started
  * @property {(id: number, packed: ArrayBuffer, milliseconds: number) => void} answered
  * @property {(failure: Failure) => void} broken it can't go on, with the question that is under way if there is one
+ * @property {(id: number, failure: Failure) => void} refused the question with this id could not be read
  * @property {(id: number, sha256: string) => void} identified the file that the question with this id opened
+ * @property {(file: string) => void} loading a file that the core is made of has come
  *
  * @typedef {object} Transport  the way to a core: a worker, a server, a notebook's kernel
  * @property {(listener: Listener) => void} start starts a core
  * @property {(question: import("./question.js").Question) => void} send one question; the next comes after its answer
  * @property {() => void} stop ends the core, which then tells nothing more
  */
+
+/** So often the core may die in a row before it is left alone. */
+const MOST_DEATHS = 3;
 
 /** A newer call with the same key came before this one was sent. */
 export class Superseded extends Error {
@@ -64,6 +71,10 @@ export class CoreClient extends EventTarget {
   /** Number of the call that opened the present mesh. */
   #opened = 0;
   #booted = false;
+  /** Why no call can be answered. @type {Error | null} */
+  #stopped = null;
+  /** What the core died of last, and how often in a row: until it has done that. */
+  #deaths = { method: "", count: 0 };
   /** Milliseconds of the last call of each method, measured where the core runs. @type {Record<string, number>} */
   milliseconds = {};
 
@@ -92,13 +103,15 @@ export class CoreClient extends EventTarget {
           if (this.#booted) this.#break(failure);
         },
         answered: (id, packed, milliseconds) => this.#receive(id, packed, milliseconds),
+        refused: (id, failure) => id === this.#running?.id && this.#refuse(new CoreError(failure)),
+        loading: (file) => this.dispatchEvent(new CustomEvent("loading", { detail: { file } })),
         identified: (id, sha256) => {
           // A file that could not be read, or was followed by another, is not what is open.
           if (id === this.#opened) this.dispatchEvent(new CustomEvent("identified", { detail: { sha256 } }));
         },
       });
     });
-    ready.catch((error) => this.#fail(error));
+    ready.catch((error) => this.#stop(error));
     return ready;
   }
 
@@ -114,6 +127,7 @@ export class CoreClient extends EventTarget {
    */
   call(method, args, { replace } = {}) {
     return new Promise((resolve, reject) => {
+      if (this.#stopped) return reject(this.#stopped);
       if (replace !== undefined) {
         const index = this.#waiting.findIndex((call) => call.replace === replace);
         if (index >= 0) this.#waiting.splice(index, 1)[0].reject(new Superseded());
@@ -132,11 +146,20 @@ export class CoreClient extends EventTarget {
 
   /** Start the core anew; calls under way and waiting are rejected, the mesh has to be opened again. */
   restart() {
+    this.#deaths = { method: "", count: 0 };
+    this.#startAnew();
+  }
+
+  #startAnew() {
     this.#transport.stop();
+    this.#stopped = null;
     this.dispatchEvent(new Event("died"));
     this.#fail(new CoreError({ kind: "WorkerError", message: "The core stopped and was started again." }));
     this.ready = this.#start();
-    this.ready.then(() => this.dispatchEvent(new Event("restarted"))).catch(() => {});
+    this.ready.then(
+      () => this.dispatchEvent(new Event("restarted")),
+      (error) => this.dispatchEvent(new CustomEvent("stopped", { detail: { error } })),
+    );
   }
 
   dispose() {
@@ -150,8 +173,23 @@ export class CoreClient extends EventTarget {
     if (!call) return;
     this.#running = call;
     this.dispatchEvent(new CustomEvent("busy", { detail: { method: call.method } }));
-    const args = typeof call.args === "function" ? call.args() : call.args;
-    this.#transport.send(question(call.id, call.method, args));
+    try {
+      const args = typeof call.args === "function" ? call.args() : call.args;
+      this.#transport.send(question(call.id, call.method, args));
+    } catch (cause) {
+      const reason = cause instanceof Error ? cause.message : String(cause);
+      this.#refuse(
+        new CoreError({ kind: "RequestError", message: `This can't be asked of the core: ${reason}` }),
+      );
+    }
+  }
+
+  /** The call under way was not taken: the others go on. @param {Error} error */
+  #refuse(error) {
+    this.#running?.reject(error);
+    this.#running = null;
+    this.#next();
+    if (!this.pending) this.dispatchEvent(new Event("idle"));
   }
 
   /** @param {number} id @param {ArrayBuffer} packed @param {number} milliseconds */
@@ -160,6 +198,7 @@ export class CoreClient extends EventTarget {
     if (!call || call.id !== id) return;
     this.#running = null;
     this.milliseconds[call.method] = milliseconds;
+    if (call.method === this.#deaths.method) this.#deaths = { method: "", count: 0 };
     const { error, result } = unpack(packed);
     if (error) call.reject(new CoreError(/** @type {Failure} */ (error)));
     else {
@@ -172,9 +211,21 @@ export class CoreClient extends EventTarget {
 
   /** @param {Failure} failure */
   #break(failure) {
-    this.#running?.reject(new CoreError(failure));
+    const error = new CoreError(failure);
+    this.#deaths = { method: this.#running?.method ?? "", count: this.#deaths.count + 1 };
+    this.#running?.reject(error);
     this.#running = null;
-    this.restart();
+    if (this.#deaths.count < MOST_DEATHS) return this.#startAnew();
+    this.#transport.stop();
+    this.#stop(error);
+    this.dispatchEvent(new CustomEvent("stopped", { detail: { error } }));
+  }
+
+  /** No call is answered from now on. @param {Error} error */
+  #stop(error) {
+    this.#booted = false;
+    this.#stopped = error;
+    this.#fail(error);
   }
 
   /** @param {Error} error */

@@ -34,19 +34,71 @@ const REST = 60;
  */
 async function boot(runtime) {
   const began = performance.now();
+  checkWebAssembly();
+  pyodide = await Promise.race([load(runtime), missingFile(runtime)]);
+  const interpreter = performance.now();
+  const { Door } = pyodide.pyimport("hexalab.session.door");
+  door = Door();
+  setTimeout(() => asked || pyodide.pyimport("hexalab.session.warm_up").warm_up(Door()), IDLE);
+  return { interpreter: interpreter - began, core: performance.now() - interpreter };
+}
+
+/** @param {string} runtime @returns {Promise<import("pyodide").PyodideAPI>} */
+async function load(runtime) {
   const { loadPyodide } = await import(/* @vite-ignore */ `${runtime}pyodide.mjs`);
-  pyodide = await loadPyodide({
+  return loadPyodide({
     indexURL: runtime,
     lockFileURL: `${runtime}pyodide-lock.json`,
     stdLibURL: `${runtime}python_stdlib.zip`,
     packages: ["hexalab"],
     checkIntegrity: true,
   });
-  const interpreter = performance.now();
-  const { Door } = pyodide.pyimport("hexalab.session.door");
-  door = Door();
-  setTimeout(() => asked || pyodide.pyimport("hexalab.session.warm_up").warm_up(Door()), IDLE);
-  return { interpreter: interpreter - began, core: performance.now() - interpreter };
+}
+
+/** The smallest module: its magic number and version. */
+const NOTHING = Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0);
+
+/** Where WebAssembly is missing or blocked, `loadPyodide` never settles. */
+function checkWebAssembly() {
+  if (typeof WebAssembly !== "object")
+    throw new Error("this browser has no WebAssembly, or it is switched off");
+  try {
+    new WebAssembly.Module(NOTHING);
+  } catch (cause) {
+    const reason = cause instanceof Error ? cause.message : String(cause);
+    throw new Error(
+      `WebAssembly is blocked here, by the page's Content-Security-Policy or a setting of the browser (${reason})`,
+      { cause },
+    );
+  }
+}
+
+/**
+ * Rejects when one of the interpreter's files can't be had, after which `loadPyodide` may never settle; else it stays
+ * open. Each file that comes is told.
+ *
+ * @param {string} runtime
+ * @returns {Promise<never>}
+ */
+function missingFile(runtime) {
+  return new Promise((_, reject) => {
+    const fetching = self.fetch;
+    self.fetch = async (what, options) => {
+      const address = what instanceof Request ? what.url : String(what);
+      const file = address.split("/").pop();
+      try {
+        const response = await fetching(what, options);
+        if (!response.ok && address.startsWith(runtime))
+          reject(new Error(`${file} is missing on the server (status ${response.status})`));
+        else postMessage({ loading: file });
+        return response;
+      } catch (cause) {
+        if (address.startsWith(runtime))
+          reject(new Error(`${file} could not be fetched: the network may be gone`, { cause }));
+        throw cause;
+      }
+    };
+  });
 }
 
 /**
@@ -96,9 +148,37 @@ async function identify() {
   if (!unidentified) return;
   const { id, bytes } = unidentified;
   unidentified = null;
-  const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
-  const sha256 = Array.from(digest, (byte) => byte.toString(16).padStart(2, "0")).join("");
-  postMessage({ id, sha256 });
+  postMessage({ id, sha256: await hashed(bytes) });
+}
+
+/** Bytes that Python hashes at a time: they are copied into its memory. */
+const SHARE = 2 ** 24;
+
+/** SHA-256 in hexadecimal: by the browser, or by Python where the page is not secure (plain http). @param {ArrayBuffer} bytes */
+async function hashed(bytes) {
+  if (self.crypto?.subtle) {
+    const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
+    return Array.from(digest, (byte) => byte.toString(16).padStart(2, "0")).join("");
+  }
+  const sha256 = pyodide.pyimport("hashlib").sha256();
+  for (let start = 0; start < bytes.byteLength; start += SHARE) {
+    const share = pyodide.toPy(new Uint8Array(bytes, start, Math.min(SHARE, bytes.byteLength - start)));
+    sha256.update(share);
+    share.destroy();
+  }
+  const text = sha256.hexdigest();
+  sha256.destroy();
+  return text;
+}
+
+/** Whether a message is a question. @param {any} data @returns {data is Question} */
+function isQuestion(data) {
+  return (
+    typeof data?.id === "number" &&
+    typeof data.method === "string" &&
+    typeof data.text === "string" &&
+    Array.isArray(data.blocks)
+  );
 }
 
 /** @param {unknown} error @returns {{ kind: string, message: string }} */
@@ -109,12 +189,16 @@ function described(error) {
 }
 
 self.onmessage = async ({ data }) => {
-  if (data.boot) {
+  if (data?.boot) {
     try {
       postMessage({ ready: await boot(data.boot) });
     } catch (error) {
       postMessage({ failed: described(error) });
     }
+    return;
+  }
+  if (!isQuestion(data)) {
+    postMessage({ id: data?.id, refused: { kind: "RequestError", message: "the question can't be read" } });
     return;
   }
   asked = true;

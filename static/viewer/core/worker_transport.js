@@ -19,18 +19,33 @@ export class WorkerTransport {
 
   /** @param {Listener} listener */
   start(listener) {
-    const worker = this.makeWorker(this.#address);
+    let worker;
+    try {
+      worker = this.makeWorker(this.#address);
+    } catch (error) {
+      const reason = error instanceof Error ? error.message : String(error);
+      queueMicrotask(() =>
+        listener.failed({ kind: "WorkerError", message: `no worker can be had here: ${reason}` }),
+      );
+      return;
+    }
     worker.onmessage = ({ data }) => {
       if (data.ready) listener.ready(data.ready);
       else if (data.failed) listener.failed(data.failed);
+      else if (data.loading) listener.loading(data.loading);
+      else if (data.refused) listener.refused(data.id, data.refused);
       else if (data.sha256) listener.identified(data.id, data.sha256);
       else if (data.broken) listener.broken(data.broken);
       else listener.answered(data.id, data.packed, data.milliseconds);
     };
     worker.onerror = (event) => {
       event.preventDefault?.();
-      listener.broken({ kind: "WorkerError", message: event.message || "The core could not start." });
+      const message =
+        event.message || `the script of the core's worker could not be loaded (${this.#address})`;
+      listener.broken({ kind: "WorkerError", message });
     };
+    worker.onmessageerror = () =>
+      listener.broken({ kind: "WorkerError", message: "an answer of the core could not be received" });
     worker.postMessage({ boot: this.#runtime });
     this.#worker = worker;
   }

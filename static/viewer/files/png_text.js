@@ -1,4 +1,5 @@
 import { crc32 } from "./crc32.js";
+import { inflated } from "./inflate.js";
 
 /**
  * Settings inside pictures (SPEC S3): the status stands in an iTXt chunk with the keyword `hexalab`, as the original
@@ -6,6 +7,11 @@ import { crc32 } from "./crc32.js";
  */
 
 const KEYWORD = "hexalab";
+const TEXTS = ["iTXt", "zTXt", "tEXt"];
+
+/** Bytes of settings that a picture may carry: a list of the cells of a large mesh has room. */
+const MOST_BYTES = 2 ** 26;
+
 const SIGNATURE = [137, 80, 78, 71, 13, 10, 26, 10];
 
 /** @typedef {{ type: string, start: number, length: number }} Chunk `start` of the data */
@@ -31,37 +37,46 @@ function chunksOf(bytes) {
 export async function readStatus(buffer) {
   const bytes = new Uint8Array(buffer);
   for (const { type, start, length } of chunksOf(bytes)) {
-    if (!["iTXt", "zTXt", "tEXt"].includes(type)) continue;
     const data = bytes.subarray(start, start + length);
-    const end = data.indexOf(0);
-    if (latin(data.subarray(0, end)) === KEYWORD) return textOf(type, data.subarray(end + 1));
+    if (carriesStatus(type, data)) return textOf(type, data.subarray(KEYWORD.length + 1));
   }
   return null;
+}
+
+/** @param {string} type @param {Uint8Array} data of a chunk */
+function carriesStatus(type, data) {
+  return TEXTS.includes(type) && latin(data.subarray(0, data.indexOf(0))) === KEYWORD;
 }
 
 /** @param {string} type @param {Uint8Array} data what follows the keyword and its zero */
 async function textOf(type, data) {
   if (type === "tEXt") return latin(data);
-  if (type === "zTXt") return latin(await inflated(data.subarray(1)));
+  if (type === "zTXt") return latin(await unpacked(data.subarray(1)));
   const language = data.indexOf(0, 2);
   const translated = data.indexOf(0, language + 1);
   const text = data.subarray(translated + 1);
-  return new TextDecoder().decode(data[0] ? await inflated(text) : text);
+  return new TextDecoder().decode(data[0] ? await unpacked(text) : text);
 }
+
+/** Text of a chunk, of which a bomb may come. @param {Uint8Array} bytes */
+const unpacked = (bytes) => inflated(bytes, "deflate", { most: MOST_BYTES, name: "the picture's settings" });
 
 /**
  * @param {Blob} picture a PNG
  * @param {string} text the settings, as JSON
- * @returns {Promise<Blob>} the same picture, carrying them
+ * @returns {Promise<Blob>} the same picture, carrying them in place of those that it carried
  */
 export async function writeStatus(picture, text) {
   const bytes = new Uint8Array(await picture.arrayBuffer());
-  const end = chunksOf(bytes).find(({ type }) => type === "IEND");
-  if (!end) throw new Error("this PNG picture is cut short");
-  const at = end.start - 8;
-  return new Blob([bytes.subarray(0, at), /** @type {BlobPart} */ (textChunk(text)), bytes.subarray(at)], {
-    type: "image/png",
-  });
+  const chunks = chunksOf(bytes);
+  if (chunks.at(-1)?.type !== "IEND") throw new Error("this PNG picture is cut short");
+  const parts = [bytes.subarray(0, SIGNATURE.length)];
+  for (const { type, start, length } of chunks) {
+    if (type === "IEND") parts.push(textChunk(text));
+    if (!carriesStatus(type, bytes.subarray(start, start + length)))
+      parts.push(bytes.subarray(start - 8, start + length + 4));
+  }
+  return new Blob(/** @type {BlobPart[]} */ (parts), { type: "image/png" });
 }
 
 /** An iTXt chunk: keyword, not compressed, no language, no translated keyword. @param {string} text */
@@ -73,14 +88,6 @@ function textChunk(text) {
   chunk.set(data, 4);
   view.setUint32(4 + data.length, crc32(data));
   return chunk;
-}
-
-/** @param {Uint8Array} bytes zlib data */
-async function inflated(bytes) {
-  const stream = new Blob([/** @type {BlobPart} */ (bytes)])
-    .stream()
-    .pipeThrough(new DecompressionStream("deflate"));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
 /** @param {Uint8Array} bytes */

@@ -1,4 +1,5 @@
 import { crc32 } from "./crc32.js";
+import { inflated } from "./inflate.js";
 
 /**
  * ZIP archives as far as a batch needs them (PKWARE's APPNOTE 6.3): reading stored and deflated entries through the
@@ -11,6 +12,20 @@ const END = 0x06054b50;
 const CENTRAL = 0x02014b50;
 const LOCAL = 0x04034b50;
 const UTF8 = 0x0800;
+const ENCRYPTED = 1;
+
+/** Numbers that stand for "see the 64-bit fields". */
+const ELSEWHERE = [0xffff, 0xffffffff];
+
+/** Compression methods that are met and not read. @type {Record<number, string>} */
+const METHODS = {
+  9: "9 (Deflate64)",
+  12: "12 (bzip2)",
+  14: "14 (LZMA)",
+  93: "93 (Zstandard)",
+  95: "95 (XZ)",
+  99: "99 (AES encryption)",
+};
 
 /** Widths of the fields that local and central headers share: flags to the extra field's length. */
 const COMMON = "222244422";
@@ -23,21 +38,26 @@ export function readZip(buffer) {
   const view = new DataView(buffer);
   const end = findEnd(view);
   const count = view.getUint16(end + 10, true);
-  if (count > MOST_ENTRIES)
-    throw new Error(`found ${count} files in the archive, expected at most ${MOST_ENTRIES}`);
   const entries = [];
   let at = view.getUint32(end + 16, true);
+  if (ELSEWHERE.includes(count) || ELSEWHERE.includes(at))
+    throw new Error(
+      "the archive has the 64-bit form (ZIP64), for more than 4 GB: unpack it and open the files",
+    );
+  if (count > MOST_ENTRIES)
+    throw new Error(`found ${count} files in the archive, expected at most ${MOST_ENTRIES}`);
   for (let index = 0; index < count; index++) {
     if (at + 46 > buffer.byteLength || view.getUint32(at, true) !== CENTRAL)
       throw new Error("the archive's list of files is broken");
     const [nameLength, extra, comment] = [28, 30, 32].map((offset) => view.getUint16(at + offset, true));
     const name = new TextDecoder().decode(new Uint8Array(buffer, at + 46, nameLength));
     const row = {
+      encrypted: Boolean(view.getUint16(at + 8, true) & ENCRYPTED),
       method: view.getUint16(at + 10, true),
       size: view.getUint32(at + 20, true),
       local: view.getUint32(at + 42, true),
     };
-    if (!name.endsWith("/")) entries.push({ name, read: () => inflate(buffer, name, row) });
+    if (!name.endsWith("/")) entries.push({ name, read: () => unpack(buffer, name, row) });
     at += 46 + nameLength + extra + comment;
   }
   return entries;
@@ -50,8 +70,10 @@ function findEnd(view) {
   throw new Error("this is no ZIP archive, or it is cut short");
 }
 
-/** @param {ArrayBuffer} buffer @param {string} name @param {{ method: number, size: number, local: number }} row */
-async function inflate(buffer, name, { method, size, local }) {
+/** @param {ArrayBuffer} buffer @param {string} name @param {{ encrypted: boolean, method: number, size: number, local: number }} row */
+async function unpack(buffer, name, { encrypted, method, size, local }) {
+  if (encrypted)
+    throw new Error(`${name} is encrypted: unpack the archive with its password and open the files`);
   const view = new DataView(buffer);
   if (local + 30 > buffer.byteLength || view.getUint32(local, true) !== LOCAL)
     throw new Error(`${name}: the archive is broken here`);
@@ -60,26 +82,10 @@ async function inflate(buffer, name, { method, size, local }) {
   const bytes = new Uint8Array(buffer, start, size);
   if (method === 0) return bytes.slice();
   if (method !== 8)
-    throw new Error(`${name}: found compression method ${method}, expected 0 (stored) or 8 (deflated)`);
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
-  return bounded(stream, name);
-}
-
-/** @param {ReadableStream<Uint8Array<ArrayBuffer>>} stream @param {string} name */
-async function bounded(stream, name) {
-  const parts = [];
-  let total = 0;
-  const reader = stream.getReader();
-  for (;;) {
-    const { done, value } = await reader.read();
-    if (done) return new Uint8Array(await new Blob(parts).arrayBuffer());
-    total += value.length;
-    if (total > MOST_BYTES) {
-      await reader.cancel();
-      throw new Error(`${name}: more than ${MOST_BYTES / 2 ** 20} MB when unpacked`);
-    }
-    parts.push(value);
-  }
+    throw new Error(
+      `${name}: found compression method ${METHODS[method] ?? method}, expected 0 (stored) or 8 (deflated): pack it with the usual settings`,
+    );
+  return inflated(bytes, "deflate-raw", { most: MOST_BYTES, name });
 }
 
 /** @param {readonly { name: string, bytes: Uint8Array<ArrayBuffer> }[]} files @returns {Blob} */

@@ -7,13 +7,7 @@ const PRESSABLE = "button, a, summary, input, select";
 /** @param {import("../app/app.js").App} app @param {{ showModal: () => void }} help the cheat sheet */
 export function listenToKeys(app, help) {
   window.addEventListener("keydown", (event) => {
-    if (
-      event.defaultPrevented ||
-      event.altKey ||
-      isTyping(event.target) ||
-      document.querySelector("dialog[open]")
-    )
-      return;
+    if (event.defaultPrevented || isTyping(event.target) || document.querySelector("dialog[open]")) return;
     const target = /** @type {Element} */ (event.target);
     if (event.key === "Enter" && target.matches?.(PRESSABLE)) return;
     if (event.key.startsWith("Page") && target.closest?.("#panel")) return;

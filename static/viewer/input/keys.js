@@ -28,20 +28,44 @@ const take =
   ({ facts }) =>
     toggleTool(facts, tool);
 
-/** @param {App} app @param {(plane: Plane) => Partial<Plane>} change */
-function changePlane(app, change) {
+/** @param {App} app @param {(plane: Plane) => Partial<Plane>} change @param {import("../state/store.js").SetOptions} [options] */
+function changePlane(app, change, options) {
   const { planes, index } = planesOf(app);
   if (planes[index])
-    app.store.set({
-      filters: { planes: { enabled: true, items: withPlane(planes, index, change(planes[index])) } },
-    });
+    app.store.set(
+      { filters: { planes: { enabled: true, items: withPlane(planes, index, change(planes[index])) } } },
+      options,
+    );
+}
+
+/** Milliseconds without another press after which the next one is a step of undo of its own. */
+const PAUSE = 600;
+/** @type {ReturnType<typeof setTimeout> | undefined} */
+let sealing;
+
+/** @param {App["store"]} store */
+function sealSoon(store) {
+  clearTimeout(sealing);
+  sealing = setTimeout(() => store.seal(), PAUSE);
 }
 
 /** @param {number} step @returns {KeyRow["press"]} */
-const slideBy = (step) => (app) =>
-  changePlane(app, (plane) => ({
-    offset: Math.min(1, Math.max(0, Math.round((plane.offset + step) * 1000) / 1000)),
-  }));
+const slideBy = (step) => (app) => {
+  changePlane(
+    app,
+    (plane) => ({ offset: Math.min(1, Math.max(0, Math.round((plane.offset + step) * 1000) / 1000)) }),
+    { undo: "slide" },
+  );
+  sealSoon(app.store);
+};
+
+/** @param {number} factor of the distance @returns {KeyRow["press"]} */
+const zoomBy =
+  (factor) =>
+  ({ store }) => {
+    store.set({ camera: zoomedCamera(store.status.camera, factor) }, { undo: "zoom" });
+    sealSoon(store);
+  };
 
 /** @param {string} name @returns {KeyRow["press"]} */
 const look =
@@ -169,15 +193,13 @@ export const KEYS = [
     group: "View",
     keys: ["+", "="],
     what: "Nearer",
-    press: ({ store }) =>
-      void store.set({ camera: zoomedCamera(store.status.camera, 1 / 1.2) }, { undo: "zoom" }),
+    press: zoomBy(1 / 1.2),
   },
   {
     group: "View",
     keys: ["-"],
     what: "Further",
-    press: ({ store }) =>
-      void store.set({ camera: zoomedCamera(store.status.camera, 1.2) }, { undo: "zoom" }),
+    press: zoomBy(1.2),
   },
   { group: "Page", keys: ["Ctrl+z"], what: "Undo", press: ({ store }) => void store.undo() },
   { group: "Page", keys: ["Ctrl+Shift+z", "Ctrl+y"], what: "Redo", press: ({ store }) => void store.redo() },
@@ -198,8 +220,34 @@ export const OTHER_KEYS = [
   { group: "Page", keys: ["?", "h"], what: "This sheet" },
 ];
 
-/** The name of a pressed key as the table has it. @param {KeyboardEvent} event */
-export function nameOfKey({ key, ctrlKey, metaKey, shiftKey }) {
+/** What a key without a Latin letter on it stands for, by its place: that of the letter on a US keyboard. */
+const PLACES = /** @type {Record<string, string>} */ ({
+  BracketLeft: "[",
+  BracketRight: "]",
+  Minus: "-",
+  Equal: "=",
+});
+
+/** A letter or a digit of a script in which the table has none. */
+const OTHER_SCRIPT = /^(?!\p{Script=Latin})[\p{L}\p{Nd}]$/u;
+
+/** @param {Pick<KeyboardEvent, "key" | "code">} event */
+function character({ key, code }) {
+  if (key.length !== 1) return key;
+  const foreign = key > "\x7f" && OTHER_SCRIPT.test(key);
+  if (!foreign) return key.toLowerCase();
+  return PLACES[code] ?? /^(?:Key|Digit|Numpad)(\w)$/.exec(code)?.[1].toLowerCase() ?? key;
+}
+
+/**
+ * The name of a pressed key as the table has it; empty for one that is the browser's or the system's. Option and AltGr
+ * make signs on many keyboards ("[" is AltGr+8 in Germany): then the sign is what counts, and no key is held.
+ *
+ * @param {Pick<KeyboardEvent, "key" | "code" | "ctrlKey" | "metaKey" | "shiftKey" | "altKey">} event
+ */
+export function nameOfKey(event) {
+  const { ctrlKey, metaKey, shiftKey, altKey, key } = event;
+  if (altKey) return /^[!-/:-@[-`{-~]$/.test(key) && !metaKey ? key : "";
   const held = ctrlKey || metaKey ? `Ctrl+${shiftKey ? "Shift+" : ""}` : "";
-  return held + (key.length === 1 ? key.toLowerCase() : key);
+  return held + character(event);
 }

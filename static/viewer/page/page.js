@@ -56,6 +56,19 @@ function followSize({ app }, canvas) {
   };
   new ResizeObserver(resize).observe(canvas);
   window.addEventListener("resize", resize);
+  followPixelRatio(resize);
+}
+
+/** A change of the pixel ratio alone, as when a window goes to another screen, changes no size. @param {() => void} changed */
+function followPixelRatio(changed) {
+  matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener(
+    "change",
+    () => {
+      changed();
+      followPixelRatio(changed);
+    },
+    { once: true },
+  );
 }
 
 /** The picture takes the focus when it is clicked; it shows that only to those who work by keyboard. */

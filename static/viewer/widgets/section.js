@@ -72,7 +72,7 @@ const MEMORY = "hexalab.sections";
 /** @returns {Record<string, boolean>} */
 function remembered() {
   try {
-    return JSON.parse(localStorage.getItem(MEMORY) ?? "{}");
+    return JSON.parse(localStorage.getItem(MEMORY) ?? "{}") ?? {};
   } catch {
     return {};
   }

@@ -1,6 +1,7 @@
 import { Quaternion, Vector3 } from "three";
 import { TouchPair } from "./touch_pair.js";
 
+const PAUSE = 600; // milliseconds without another turn of the wheel after which it has come to an end
 const STILL = 3; // CSS pixels that a pointer may shake while it clicks
 const AXIS = new Vector3();
 const TURN = new Quaternion();
@@ -20,6 +21,8 @@ export class Trackball {
   #touches = new TouchPair();
   /** @type {{ id: number, button: number, x: number, y: number, startX: number, startY: number, dragged: boolean } | null} */
   #drag = null;
+  /** Runs out when wheel, keys or fingers have paused. @type {ReturnType<typeof setTimeout> | undefined} */
+  #pause;
 
   /**
    * @param {HTMLCanvasElement} canvas
@@ -39,6 +42,7 @@ export class Trackball {
     canvas.addEventListener("pointermove", (event) => this.#move(event), { signal });
     canvas.addEventListener("pointerup", (event) => this.#up(event), { signal });
     canvas.addEventListener("pointercancel", (event) => this.#up(event), { signal });
+    canvas.addEventListener("lostpointercapture", (event) => this.#up(event), { signal });
     canvas.addEventListener("pointerleave", () => !this.#drag && listen.hovered(null), { signal });
     canvas.addEventListener("wheel", (event) => this.#wheel(event), { signal, passive: false });
     canvas.addEventListener("contextmenu", (event) => event.preventDefault(), { signal });
@@ -53,6 +57,25 @@ export class Trackball {
 
   dispose() {
     this.#abort.abort();
+    clearTimeout(this.#pause);
+  }
+
+  /** The camera was moved by a step, which others may follow. */
+  #stepped() {
+    this.#listen.moved();
+    clearTimeout(this.#pause);
+    this.#pause = setTimeout(() => this.#ended(), PAUSE);
+  }
+
+  #ended() {
+    clearTimeout(this.#pause);
+    this.#pause = undefined;
+    this.#listen.ended();
+  }
+
+  /** Size of the canvas in CSS pixels, none below 1. */
+  get #size() {
+    return { width: Math.max(1, this.#canvas.clientWidth), height: Math.max(1, this.#canvas.clientHeight) };
   }
 
   /** @param {{ clientX: number, clientY: number }} event @returns {{ x: number, y: number }} CSS pixels */
@@ -69,6 +92,7 @@ export class Trackball {
       return;
     }
     if (this.#drag) return;
+    if (this.#pause !== undefined) this.#ended();
     const { x, y } = this.#place(event);
     const button = event.button;
     this.#drag = { id: event.pointerId, button, x, y, startX: x, startY: y, dragged: false };
@@ -84,7 +108,7 @@ export class Trackball {
         this.panBy(gesture.dx, gesture.dy);
         this.zoomBy(gesture.scale, gesture.x, gesture.y);
         this.rollBy(gesture.roll);
-        this.#listen.moved();
+        this.#stepped();
         return;
       }
     }
@@ -93,6 +117,7 @@ export class Trackball {
       if (!drag && event.buttons === 0) this.#listen.hovered({ x, y, event });
       return;
     }
+    if (event.pointerType === "mouse" && event.buttons === 0) return this.#up(event); // let go where nobody told us
     if (!drag.dragged && Math.hypot(x - drag.startX, y - drag.startY) <= STILL) return;
     if (!drag.dragged) this.#listen.hovered(null);
     drag.dragged = true;
@@ -109,7 +134,7 @@ export class Trackball {
     const drag = this.#drag;
     if (!drag || drag.id !== event.pointerId) return;
     this.#drag = null;
-    if (drag.dragged) this.#listen.ended();
+    if (drag.dragged) this.#ended();
     else if (event.type === "pointerup" && drag.button === 0) {
       this.#listen.clicked({ x: drag.startX, y: drag.startY, event });
     }
@@ -122,7 +147,7 @@ export class Trackball {
     const pixels = Math.max(-300, Math.min(300, event.deltaY * unit));
     const { x, y } = this.#place(event);
     this.zoomBy(Math.exp(-pixels * (event.ctrlKey ? 0.01 : 0.0015)), x, y);
-    this.#listen.moved();
+    this.#stepped();
   }
 
   /** @param {KeyboardEvent} event */
@@ -132,7 +157,7 @@ export class Trackball {
     event.preventDefault();
     if (event.shiftKey) this.panBy(24 * arrow[0], 24 * arrow[1]);
     else this.#turnAbout(AXIS.set(arrow[1], arrow[0], 0), (5 * Math.PI) / 180);
-    this.#listen.moved();
+    this.#stepped();
   }
 
   /**
@@ -162,7 +187,7 @@ export class Trackball {
 
   /** @param {number} dx CSS pixels @param {number} dy downwards */
   panBy(dx, dy) {
-    const scale = (2 * this.#rig.halfHeight) / this.#canvas.clientHeight;
+    const scale = (2 * this.#rig.halfHeight) / this.#size.height;
     this.#rig.target.add(new Vector3(-dx * scale, dy * scale, 0).applyQuaternion(this.#rig.orientation));
   }
 
@@ -176,19 +201,18 @@ export class Trackball {
   zoomBy(factor, x, y) {
     const rig = this.#rig;
     const distance = Math.min(50, Math.max(1e-4, rig.distance / factor));
-    const under = rig.pointAt(
-      (2 * x) / this.#canvas.clientWidth - 1,
-      1 - (2 * y) / this.#canvas.clientHeight,
-    );
+    const { width, height } = this.#size;
+    const under = rig.pointAt((2 * x) / width - 1, 1 - (2 * y) / height);
     rig.target.lerp(under, 1 - distance / rig.distance);
     rig.distance = distance;
   }
 
   /** @param {number} x @param {number} y @returns {Vector3} */
   #onBall(x, y) {
-    const radius = 0.42 * Math.min(this.#canvas.clientWidth, this.#canvas.clientHeight);
-    const u = (x - this.#canvas.clientWidth / 2) / radius;
-    const v = (this.#canvas.clientHeight / 2 - y) / radius;
+    const { width, height } = this.#size;
+    const radius = 0.42 * Math.min(width, height);
+    const u = (x - width / 2) / radius;
+    const v = (height / 2 - y) / radius;
     const square = u * u + v * v;
     return new Vector3(u, v, square < 0.5 ? Math.sqrt(1 - square) : 0.5 / Math.sqrt(square));
   }
