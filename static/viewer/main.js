@@ -60,9 +60,19 @@ async function openWhatTheAddressNames() {
   const status = await statusFromHash(location.hash).catch((error) => void app.messages.error(error));
   const mesh = new URLSearchParams(location.search).get("mesh");
   if (mesh && /^[\w.-]+\/[\w.-]+$/.test(mesh)) await app.openEntry(...pair(mesh), status);
-  else if (mesh) await app.openUrl(new URL(mesh, document.baseURI).href, status);
+  else if (mesh) await app.openUrl(mesh, status);
   else if (status) await app.documents.apply(status);
 }
+
+// A link to this very page with other settings, pasted into its address, changes nothing but the hash.
+addEventListener("hashchange", async () => {
+  try {
+    const status = await statusFromHash(location.hash);
+    if (status) await app.documents.apply(status);
+  } catch (error) {
+    app.messages.error(error, { topic: "status" });
+  }
+});
 
 /** @param {string} path @returns {[string, string]} */
 function pair(path) {

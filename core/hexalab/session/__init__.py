@@ -61,8 +61,19 @@ class Session:
 
     # -- the mesh
 
-    def open(self, name: str, data: bytes | memoryview) -> Result:
+    def open(
+        self, name: str, data: bytes | memoryview, companions: dict[str, bytes | memoryview] | None = None
+    ) -> Result:
         """Open a mesh and do no more than the first picture needs; all settings become the defaults.
+
+        Parameters
+        ----------
+        name : str
+            The file's name, or its path within a folder that was opened.
+        data : bytes
+            The file.
+        companions : dict of str to bytes, optional
+            Files that were opened with it and that it may include, by name or path.
 
         Raises
         ------
@@ -70,7 +81,7 @@ class Session:
             If it can't be read; the mesh that was open stays open.
         """
         began = perf_counter()
-        mesh = read_bytes(data, name)
+        mesh = read_bytes(data, name, companions)
         read = perf_counter()
         mesh = measurable(turn_round(mesh))
         faces = mesh.topology.boundary_face_count

@@ -1,17 +1,16 @@
+import { meshAddress } from "./address.js";
 import { Cells } from "./cells.js";
-import { Documents, parse } from "./documents.js";
+import { Documents } from "./documents.js";
 import { Drawing } from "./drawing.js";
 import { Measures } from "./measures.js";
 import { Messages } from "./messages.js";
-import { fromFile, fromUrl, Opening } from "./opening.js";
+import { Files } from "./files.js";
+import { fromUrl, Opening } from "./opening.js";
 import { Progress } from "./progress.js";
 import { Saving } from "./saving.js";
 import { StartWatch } from "./start_watch.js";
-import { Batch, meshesOf } from "../batch/batch.js";
-import { readZip } from "../files/zip.js";
+import { Batch } from "../batch/batch.js";
 import { Catalogue } from "../catalogue/catalogue.js";
-import { CoreError, Superseded } from "../core/client.js";
-import { readStatus } from "../files/png_text.js";
 
 /**
  * The application: holds status, facts, core and scene together. Panels, keys and scripts call its actions; settings
@@ -54,6 +53,7 @@ export class App {
     this.cells = new Cells(this);
     this.saving = new Saving(this);
     this.opening = new Opening(this);
+    this.files = new Files(this);
     this.batch = new Batch(this);
   }
 
@@ -80,8 +80,10 @@ export class App {
         watch.end();
       });
     client.addEventListener("identified", (event) => {
-      const { sha256 } = /** @type {CustomEvent<{ sha256: string }>} */ (event).detail;
+      const { sha256, bytes } = /** @type {CustomEvent<{ sha256: string, bytes?: ArrayBuffer }>} */ (event)
+        .detail;
       store.set({ mesh: { sha256 } }, { undo: false });
+      if (bytes) this.opening.keep(bytes);
     });
     client.addEventListener("died", () => {
       this.drawing.pause();
@@ -143,84 +145,32 @@ export class App {
   }
 
   /**
-   * Open dropped or chosen files: settings and pictures apply, the first mesh opens under them.
+   * Open dropped or chosen files; see `Files`.
    *
-   * @param {readonly File[]} files @returns {Promise<MeshSummary | null>} the mesh's summary, or null if there was none
+   * @param {readonly (File | import("./files.js").Found)[]} files @returns {Promise<MeshSummary | null>} the mesh's summary, or null if there was none
    */
   async openFiles(files) {
-    const meshes = [];
-    let status = null;
-    for (const file of files) {
-      const kind = kindOf(file);
-      if (kind === "mesh") meshes.push(file);
-      else if (kind === "archive") return this.#openArchive(file);
-      else status = (await this.#statusIn(file, kind)) ?? status;
-    }
-    if (meshes.length > 1)
-      this.messages.say(
-        "note",
-        `One mesh is shown at a time: ${meshes[0].name} was opened, ${meshes.length - 1} more left out`,
-        { topic: "drop" },
-      );
-    if (meshes.length) {
-      const summary = await this.opening.open({ ...fromFile(meshes[0]), status });
-      nameInAddress(null);
-      return summary;
-    }
-    if (status) await this.#applied(status);
-    return null;
-  }
-
-  /** The mesh in an archive; several are offered as a batch. @param {File} file @returns {Promise<MeshSummary | null>} */
-  async #openArchive(file) {
-    try {
-      const buffer = await file.arrayBuffer();
-      const meshes = meshesOf(readZip(buffer), this.tables.formats);
-      if (!meshes.length) throw new Error("the archive holds no mesh");
-      if (meshes.length > 1) {
-        this.facts.set({ archive: { name: file.name, buffer, count: meshes.length } });
-        return null;
-      }
-      const [{ name, read }] = meshes;
-      return await this.opening.open({
-        name: name.split("/").pop() ?? name,
-        bytes: async () => (await read()).buffer,
-      });
-    } catch (error) {
-      if (error instanceof Superseded || error instanceof CoreError) throw error;
-      this.messages.say("error", `${file.name}: ${error instanceof Error ? error.message : error}`, {
-        topic: "open",
-      });
-      return null;
-    }
-  }
-
-  /** @param {object} status */
-  async #applied(status) {
-    try {
-      await this.documents.apply(status);
-    } catch (error) {
-      this.messages.error(error, { topic: "status" });
-    }
-  }
-
-  /** @param {File} file @param {"status" | "picture"} kind @returns {Promise<object | null>} */
-  async #statusIn(file, kind) {
-    try {
-      const text = kind === "status" ? await file.text() : await readStatus(await file.arrayBuffer());
-      if (text === null) throw new Error(`${file.name} carries no HexaLab settings`);
-      return parse(text, file.name);
-    } catch (error) {
-      this.messages.error(error, { topic: "status" });
-      return null;
-    }
+    const summary = await this.files.open(files);
+    if (summary) nameInAddress(null);
+    return summary;
   }
 
   /** @param {string} address @param {unknown} [status] */
   async openUrl(address, status) {
-    const summary = await this.opening.open({ ...fromUrl(address), status });
-    nameInAddress(new URL(address, location.href).href);
+    const whole = this.#meshAddress(address);
+    const summary = await this.opening.open({ ...fromUrl(whole), status });
+    nameInAddress(whole);
     return summary;
+  }
+
+  /** @param {string} address @throws {Error} which was shown, too */
+  #meshAddress(address) {
+    try {
+      return meshAddress(address, document.baseURI);
+    } catch (error) {
+      this.messages.error(error, { topic: "open" });
+      throw error;
+    }
   }
 
   /** Choose a source of the catalogue, whose meshes are then offered. @param {string} slug */
@@ -245,7 +195,7 @@ export class App {
       this.messages.error(error, { topic: "open" });
       throw error;
     }
-    const { url } = entry.mesh;
+    const url = this.#meshAddress(entry.mesh.url);
     const summary = await this.opening.open({ ...fromUrl(url), entry, status });
     nameInAddress(`${source}/${mesh}`);
     return summary;
@@ -282,14 +232,6 @@ export class App {
   saveHistogram(format) {
     return this.saving.saveHistogram(format);
   }
-}
-
-/** What a file is: settings, a picture that may carry them, an archive, or a mesh. @param {File} file @returns {"status" | "picture" | "archive" | "mesh"} */
-function kindOf(file) {
-  if (/\.(json|txt)$/i.test(file.name)) return "status";
-  if (/\.png$/i.test(file.name)) return "picture";
-  if (/\.zip$/i.test(file.name)) return "archive";
-  return "mesh";
 }
 
 /** Let the page's address name the open mesh, so that a link to it is right. @param {string | null} mesh null for a local file */

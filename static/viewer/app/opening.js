@@ -1,4 +1,5 @@
 import { Superseded } from "../core/client.js";
+import { nameIn } from "./address.js";
 import { download } from "../files/download.js";
 import { unpack } from "../files/packing.js";
 import { NEW_MESH } from "../state/facts.js";
@@ -10,6 +11,8 @@ import { count } from "../state/numbers.js";
  * @typedef {object} Origin
  * @property {string} name
  * @property {(report: (fraction: number | null, text?: string) => void) => Promise<ArrayBuffer>} bytes
+ * @property {() => Promise<Record<string, ArrayBuffer>>} [companions] files that it refers to, by their paths
+ * @property {Blob} [kept] what was read, so that it can be read again though the file has changed
  * @property {import("../state/entry.js").Entry | null} [entry] of the catalogue
  * @property {unknown} [status] partial document to apply with the mesh
  * @property {readonly unknown[]} [layers] documents that make up all settings, in place of those that are there
@@ -18,15 +21,24 @@ import { count } from "../state/numbers.js";
  * @typedef {import("../state/facts.js").MeshSummary} MeshSummary
  */
 
-/** @param {File} file @returns {Origin} */
-export function fromFile(file) {
-  return { name: file.name, bytes: () => file.arrayBuffer() };
+/** @param {File} file @param {string} [name] its path, where a folder was opened @returns {Origin} */
+export function fromFile(file, name = file.name) {
+  return { name, bytes: () => bytesOf(file) };
 }
 
-/** @param {string} address @returns {Origin} */
+/** @param {Blob & { name?: string }} file @returns {Promise<ArrayBuffer>} */
+export async function bytesOf(file) {
+  try {
+    return await file.arrayBuffer();
+  } catch (cause) {
+    const reason = "it was changed, moved or deleted on the disk since it was chosen: choose it again";
+    throw new Error(`${file.name ?? "the file"} can't be read any more: ${reason}`, { cause });
+  }
+}
+
+/** @param {string} address a whole one @returns {Origin} */
 export function fromUrl(address) {
-  const name = decodeURIComponent(new URL(address, location.href).pathname.split("/").pop() || "mesh");
-  return { name, bytes: (report) => download(address, report) };
+  return { name: nameIn(address), bytes: (report) => download(address, report) };
 }
 
 /**
@@ -68,7 +80,7 @@ export class Opening {
       await client.ready;
       current();
       task.report(null, this.#reading(origin));
-      const summary = await client.call("open", [origin.name, bytes], { replace: "open" });
+      const summary = await this.#ask(origin, bytes);
       this.#held = origin;
       if (turn !== this.#turn) this.#app.drawing.pause();
       current();
@@ -92,13 +104,32 @@ export class Opening {
   /** Open the present mesh again: the core was restarted, or holds another. */
   async reopen() {
     if (!this.#current) return;
-    const { client, drawing, measures } = this.#app;
-    const bytes = await this.#current.bytes(() => {});
-    await client.call("open", [this.#current.name, bytes], { replace: "open" });
+    const { drawing, measures } = this.#app;
+    await this.#ask(
+      this.#current,
+      await (this.#current.kept?.arrayBuffer() ?? this.#current.bytes(() => {})),
+    );
     this.#held = this.#current;
     drawing.begin();
     await drawing.update();
     measures.fill();
+  }
+
+  /** @param {Origin} origin @param {ArrayBuffer} bytes @returns {Promise<Summary>} */
+  async #ask(origin, bytes) {
+    const companions = await origin.companions?.();
+    return this.#app.client.call(
+      "open",
+      companions ? [origin.name, bytes, companions] : [origin.name, bytes],
+      {
+        replace: "open",
+      },
+    );
+  }
+
+  /** Keep what the core has read, so that the mesh can be opened again when the core had to be restarted. @param {ArrayBuffer} bytes */
+  keep(bytes) {
+    if (this.#held && this.#held === this.#current) this.#held.kept = new Blob([bytes]);
   }
 
   /** @param {Origin} origin */

@@ -1,6 +1,7 @@
 import { mapColours } from "../colours/palettes.js";
 import { toCsv, toPng, toSvg } from "../charts/export.js";
 import { quantityOf } from "../state/quantity.js";
+import { safeStem } from "../files/names.js";
 import { writeStatus } from "../files/png_text.js";
 import { statusToHash } from "../state/link.js";
 
@@ -15,6 +16,21 @@ export function saveFile(blob, name) {
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }
 
+/** Pixels of a picture's side. */
+export const LARGEST_SIDE = 8192;
+
+/** @param {{ width?: number, height?: number }} options @throws {Error} a side that no picture can have */
+function checkSize(options) {
+  for (const side of /** @type {const} */ (["width", "height"])) {
+    const value = options[side];
+    if (value === undefined) continue;
+    if (!Number.isInteger(value) || value < 1 || value > LARGEST_SIDE)
+      throw new Error(
+        `found ${value} as the picture's ${side}, expected a whole number from 1 to ${LARGEST_SIDE}`,
+      );
+  }
+}
+
 /** What leaves the page: pictures, histograms, settings, links. */
 export class Saving {
   #app;
@@ -24,15 +40,15 @@ export class Saving {
     this.#app = app;
   }
 
-  /** The mesh's name without its extensions, for file names. */
+  /** The mesh's name without its ending, for file names. */
   get stem() {
-    const name = this.#app.facts.get("summary")?.name ?? "hexalab";
-    return name.replace(/(\.[a-z0-9]{1,5}){1,2}$/i, "") || "hexalab";
+    return safeStem(this.#app.facts.get("summary")?.name ?? "");
   }
 
   /** The picture with the status in it. @param {{ width?: number, height?: number, transparent?: boolean }} [options] @returns {Promise<Blob>} */
   async picture(options = {}) {
     const { scene, store } = this.#app;
+    checkSize(options);
     return writeStatus(await scene.screenshot(options), JSON.stringify(store.status));
   }
 

@@ -1,4 +1,5 @@
 import { CoreError, Superseded } from "../core/client.js";
+import { stemOf } from "../files/names.js";
 import { readZip, writeZip } from "../files/zip.js";
 
 /**
@@ -25,7 +26,7 @@ import { readZip, writeZip } from "../files/zip.js";
  * @property {{ picture: (size: { width?: number, height?: number }) => Promise<Blob>, histogram: (format: "png") => Promise<Blob | null> }} saving
  */
 
-/** @param {Entry[]} entries @param {readonly { extensions: readonly string[] }[]} formats @returns {Entry[]} the meshes among them */
+/** @template {{ name: string }} Some @param {Some[]} entries @param {readonly { extensions: readonly string[] }[]} formats @returns {Some[]} the meshes among them */
 export function meshesOf(entries, formats) {
   const extensions = formats.flatMap((format) => format.extensions);
   return entries.filter(({ name }) => {
@@ -35,11 +36,6 @@ export function meshesOf(entries, formats) {
       !file.startsWith(".") && !name.startsWith("__MACOSX/") && extensions.some((end) => plain.endsWith(end))
     );
   });
-}
-
-/** A name without the extensions of a mesh. @param {string} name */
-export function stemOf(name) {
-  return name.replace(/\.gz$/i, "").replace(/\.[^./]+$/, "");
 }
 
 /** The stem, or with a number added if a mesh of the same stem has it: both have pictures. @param {string} stem @param {Set<string>} names taken ones, in lower case */

@@ -24,7 +24,8 @@ import { question } from "./question.js";
  * @property {(id: number, packed: ArrayBuffer, milliseconds: number) => void} answered
  * @property {(failure: Failure) => void} broken it can't go on, with the question that is under way if there is one
  * @property {(id: number, failure: Failure) => void} refused the question with this id could not be read
- * @property {(id: number, sha256: string) => void} identified the file that the question with this id opened
+ * @property {(id: number, sha256: string, bytes?: ArrayBuffer) => void} identified the file that the question with this id
+ *   opened, and its bytes, where they come back
  * @property {(file: string) => void} loading a file that the core is made of has come
  *
  * @typedef {object} Transport  the way to a core: a worker, a server, a notebook's kernel
@@ -105,9 +106,10 @@ export class CoreClient extends EventTarget {
         answered: (id, packed, milliseconds) => this.#receive(id, packed, milliseconds),
         refused: (id, failure) => id === this.#running?.id && this.#refuse(new CoreError(failure)),
         loading: (file) => this.dispatchEvent(new CustomEvent("loading", { detail: { file } })),
-        identified: (id, sha256) => {
+        identified: (id, sha256, bytes) => {
           // A file that could not be read, or was followed by another, is not what is open.
-          if (id === this.#opened) this.dispatchEvent(new CustomEvent("identified", { detail: { sha256 } }));
+          if (id === this.#opened)
+            this.dispatchEvent(new CustomEvent("identified", { detail: { sha256, bytes } }));
         },
       });
     });

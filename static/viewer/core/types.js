@@ -3,7 +3,7 @@
  * `state/answers.js`. The tests hold this map against the door's own list.
  *
  * @typedef {object} Methods
- * @property {{ args: [name: string, data: ArrayBuffer], answer: Summary }} open
+ * @property {{ args: [name: string, data: ArrayBuffer, companions?: Record<string, ArrayBuffer>], answer: Summary }} open
  * @property {{ args: [part?: string], answer: Partial<Description> }} describe
  * @property {{ args: [document: unknown], answer: Checked }} check
  * @property {{ args: [changed?: PartialStatus, lean?: boolean, whole?: boolean], answer: Update }} update

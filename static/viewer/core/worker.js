@@ -148,7 +148,8 @@ async function identify() {
   if (!unidentified) return;
   const { id, bytes } = unidentified;
   unidentified = null;
-  postMessage({ id, sha256: await hashed(bytes) });
+  const sha256 = await hashed(bytes);
+  postMessage({ id, sha256, bytes }, [bytes]);
 }
 
 /** Bytes that Python hashes at a time: they are copied into its memory. */

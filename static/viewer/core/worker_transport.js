@@ -34,7 +34,7 @@ export class WorkerTransport {
       else if (data.failed) listener.failed(data.failed);
       else if (data.loading) listener.loading(data.loading);
       else if (data.refused) listener.refused(data.id, data.refused);
-      else if (data.sha256) listener.identified(data.id, data.sha256);
+      else if (data.sha256) listener.identified(data.id, data.sha256, data.bytes);
       else if (data.broken) listener.broken(data.broken);
       else listener.answered(data.id, data.packed, data.milliseconds);
     };

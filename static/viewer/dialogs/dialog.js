@@ -1,3 +1,4 @@
+import { BY_HAND, copyText } from "../input/copying.js";
 import { h } from "../widgets/dom.js";
 import { icon } from "../widgets/icons.js";
 
@@ -59,10 +60,10 @@ export function copyField(label, long = false) {
   const element = h("div", { class: "copy-field" }, h("span", { class: "copy-label" }, label), field, button);
 
   async function copy() {
-    field.select();
-    await navigator.clipboard?.writeText(field.value).catch(() => document.execCommand("copy"));
-    button.lastChild?.replaceWith("Copied");
-    setTimeout(() => button.lastChild?.replaceWith("Copy"), 1500);
+    const copied = await copyText(field.value, () => field.select());
+    if (!copied) field.focus(); // its text is selected
+    button.lastChild?.replaceWith(copied ? "Copied" : BY_HAND);
+    setTimeout(() => button.lastChild?.replaceWith("Copy"), copied ? 1500 : 6000);
   }
 
   return {

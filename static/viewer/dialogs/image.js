@@ -1,9 +1,8 @@
+import { LARGEST_SIDE as LARGEST } from "../app/saving.js";
 import { clamp } from "../state/numbers.js";
 import { h } from "../widgets/dom.js";
 import { numberField } from "../widgets/number_field.js";
 import { dialog } from "./dialog.js";
-
-const LARGEST = 8192;
 
 /**
  * Save the picture at any size up to 8192 pixels (SPEC S5).
@@ -17,7 +16,7 @@ export function imageDialog(context, canvas) {
       label,
       digits: 0,
       range: () => [1, LARGEST, 10],
-      write: (value) => void (size[side] = value ?? size[side]),
+      write: (value) => void (size[side] = value === null ? size[side] : Math.round(value)),
     });
     return { ...one, row: h("div", { class: "field" }, h("span", {}, label), one.element) };
   };

@@ -1,3 +1,5 @@
+import { droppedFiles } from "./folders.js";
+
 /** Files dropped anywhere in the window open. @param {import("../app/app.js").App} app */
 export function listenToDrops(app) {
   let depth = 0;
@@ -24,7 +26,20 @@ export function listenToDrops(app) {
     event.preventDefault();
     depth = 0;
     show(false);
-    const files = [...(event.dataTransfer?.files ?? [])];
-    if (files.length) app.openFiles(files).catch(() => {}); // said in a message by whoever failed
+    if (event.dataTransfer) void open(app, event.dataTransfer);
   });
+}
+
+/** @param {import("../app/app.js").App} app @param {DataTransfer} transfer */
+async function open(app, transfer) {
+  try {
+    const { files, more } = await droppedFiles(transfer);
+    if (more)
+      app.messages.say("note", "The folder holds more files than are looked at (2,000)", { topic: "drop" });
+    if (files.length)
+      await app.openFiles(files).catch(() => {}); // said in a message by whoever failed
+    else app.messages.say("warning", "The folder holds no file", { topic: "drop" });
+  } catch (error) {
+    app.messages.error(error, { topic: "drop" });
+  }
 }

@@ -1,3 +1,4 @@
+import { BY_HAND, copyText } from "../input/copying.js";
 import { watch } from "../widgets/bind.js";
 import { h } from "../widgets/dom.js";
 import { icon } from "../widgets/icons.js";
@@ -32,6 +33,7 @@ export function messageList(context) {
 /** @param {import("../widgets/bind.js").Context} context @param {import("../state/facts.js").Message} message */
 function line({ app }, message) {
   const { id, severity, text, action } = message;
+  const said = h("span", {}, text);
   const act =
     action &&
     h(
@@ -46,7 +48,12 @@ function line({ app }, message) {
       class: "button button-icon plain",
       title: "Copy",
       "aria-label": "Copy this message",
-      onclick: () => navigator.clipboard?.writeText(text),
+      onclick: async () => {
+        const copied = await copyText(text, () => getSelection()?.selectAllChildren(said));
+        copy.title = copied ? "Copied" : BY_HAND;
+        copy.setAttribute("aria-label", copied ? "Copied" : `Not copied: ${BY_HAND}`);
+        copy.classList.toggle("done", copied);
+      },
     },
     icon("copy"),
   );
@@ -65,7 +72,7 @@ function line({ app }, message) {
     "span",
     { class: "message-text" },
     h("span", { class: "visually-hidden" }, `${severity}: `),
-    text,
+    said,
   );
   return h("div", { class: `message message-${severity}` }, words, act, copy, close);
 }

@@ -33,12 +33,49 @@ export function counted(number, one, many = `${one}s`) {
   return `${count(number)} ${number === 1 ? one : many}`;
 }
 
-/** A typed number, a comma taken for a point and − for a minus; null when it is none. @param {string} text @returns {number | null} */
+/** Zero in the scripts that have digits of their own; nine others follow each. */
+const ZEROS = [
+  0x660, 0x6f0, 0x7c0, 0x966, 0x9e6, 0xa66, 0xae6, 0xb66, 0xbe6, 0xc66, 0xce6, 0xd66, 0xe50, 0xed0, 0xf20,
+  0x1040, 0x17e0, 0x1810, 0xff10,
+];
+
+/** @param {string} digit */
+function latinDigit(digit) {
+  const code = digit.charCodeAt(0);
+  const zero = ZEROS.find((start) => code >= start && code < start + 10);
+  return zero === undefined ? digit : String(code - zero);
+}
+
+/**
+ * A typed number, as it is written anywhere: digits of any script, a point or a comma before the decimals, blanks,
+ * apostrophes, points or commas between groups of three, any minus. A single comma or point stands before decimals:
+ * "1,234" is a little more than 1.
+ *
+ * @param {string} text
+ * @returns {number | null} null when it is none
+ */
 export function parsed(text) {
-  const clean = text.trim().replace(",", ".").replaceAll("−", "-");
-  if (clean === "") return null;
-  const value = Number(clean);
-  return Number.isFinite(value) ? value : null;
+  const plain = text
+    .trim()
+    .replace(/\p{Nd}/gu, latinDigit)
+    .replace(/[−–‒﹣－]/g, "-")
+    .replace(/[，٫]/g, ",")
+    .replace(/．/g, ".")
+    .replace(/(?<=\d)[\s'’٬_](?=\d{3}(?!\d))/g, "");
+  const marks = plain.match(/[.,]/g) ?? [];
+  const last = marks.at(-1) ?? "";
+  const grouping = new Set(marks).size === 2 ? (last === "." ? "," : ".") : marks.length > 1 ? last : "";
+  const whole = plain.split(last && last !== grouping ? last : "e")[0];
+  if (grouping && !whole.replace(/^[-+]/, "").split(grouping).every(isGroup)) return null;
+  const clean = (grouping ? plain.replaceAll(grouping, "") : plain).replace(",", ".");
+  return /^[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?$/i.test(clean) && Number.isFinite(Number(clean))
+    ? Number(clean)
+    : null;
+}
+
+/** Whether a part between marks can be one of groups of three: the first may be shorter. @param {string} part @param {number} index */
+function isGroup(part, index) {
+  return index ? /^\d{3}$/.test(part) : /^\d{1,3}$/.test(part);
 }
 
 /** Where a value is between two ends, 0 to 1, though their distance may pass what a number holds. @param {number} value @param {number} low @param {number} high */

@@ -25,7 +25,7 @@ export function inverted(plane) {
  */
 export function fromView(plane, direction, snap) {
   const view = normalised(direction);
-  if (dot(view, normalised(plane.normal)) < OPPOSITE) return inverted(plane);
+  if (dot(view, normalised(plane.normal)) < OPPOSITE) return { ...inverted(plane), enabled: true };
   return { ...plane, enabled: true, normal: snap ? nearestAxis(view) : view };
 }
 

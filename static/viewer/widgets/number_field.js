@@ -2,8 +2,8 @@ import { clamp, parsed, typed } from "../state/numbers.js";
 import { h } from "./dom.js";
 
 /**
- * A box for one number: shows three decimals, takes what is typed on Enter or when left, steps with the arrow keys,
- * and puts back what stood there when the text is no number.
+ * A box for one number: shows three decimals, takes what is typed on Enter or when left, steps with the arrow keys.
+ * Text that is no number stays, marked as such, until it is mended; Escape puts back what stood there.
  *
  * @param {object} options
  * @param {string} options.label for screen readers
@@ -25,19 +25,40 @@ export function numberField({ label, digits = 3, range, write, optional = false 
     "aria-label": label,
     onfocus: () => element.select(),
     onchange: take,
-    onkeydown: step,
+    oninput: () => mark(false),
+    onkeydown: (/** @type {KeyboardEvent} */ event) =>
+      event.key === "Escape" ? restore(event) : step(event),
   });
 
   /** @param {number | null} value */
   function show(value) {
     given = value;
-    if (document.activeElement !== element || element.value === "") element.value = typed(value, digits);
+    if (document.activeElement === element && element.value !== "") return;
+    element.value = typed(value, digits);
+    mark(false);
+  }
+
+  /** @param {boolean} refused */
+  function mark(refused) {
+    element.setAttribute("aria-invalid", String(refused));
+    element.title = refused ? "This is no number: mend it, or press Escape" : "";
+  }
+
+  /** @param {KeyboardEvent} event */
+  function restore(event) {
+    const before = typed(given, digits);
+    if (element.value === before) return;
+    event.stopPropagation(); // else the dialog or the inspector around it closes
+    event.preventDefault();
+    element.value = before;
+    element.select();
+    mark(false);
   }
 
   function take() {
     const value = parsed(element.value);
     if (value === null && !(optional && element.value.trim() === "")) {
-      element.value = typed(given, digits);
+      mark(true);
       return;
     }
     const [low, high] = range();

@@ -186,3 +186,106 @@ test("a file's bytes go beside the question's text, handed over", () => {
   assert.deepEqual(JSON.parse(text), ["a.mesh", { $bytes: 0 }]);
   assert.deepEqual(blocks, [bytes]);
 });
+
+test("a call that can't be sent is refused, and the queue goes on", async () => {
+  const { client: core, worker } = client();
+  boot(worker);
+  const circle = /** @type {any} */ ({});
+  circle.self = circle;
+  const bad = core.call("check", [circle]);
+  const big = core.call("check", [1n]);
+  const throwing = core.call("check", () => {
+    throw new Error("no arguments");
+  });
+  const good = core.call("validity");
+  await assert.rejects(bad, {
+    kind: "RequestError",
+    message: /^This can't be asked of the core: .*circular/i,
+  });
+  await assert.rejects(big, { kind: "RequestError" });
+  await assert.rejects(throwing, /no arguments/);
+  worker.answer(last(worker), 5);
+  assert.equal(await good, 5);
+  assert.equal(core.pending, 0);
+});
+
+test("a question that the core can't read is refused", async () => {
+  const { client: core, worker } = client();
+  boot(worker);
+  const call = core.call("validity");
+  worker.reply({
+    id: last(worker),
+    refused: { kind: "RequestError", message: "the question can't be read" },
+  });
+  await assert.rejects(call, { message: "the question can't be read" });
+  worker.reply({ id: undefined, refused: { kind: "RequestError", message: "of nobody" } });
+  assert.equal(core.pending, 0);
+});
+
+/** Die of an update as often as it is started. @param {ManualWorker[]} workers @param {any} core */
+async function die(workers, core) {
+  const worker = /** @type {ManualWorker} */ (workers.at(-1));
+  boot(worker);
+  await core.ready;
+  const opened = core.call("open", ["a.mesh", new ArrayBuffer(1)]);
+  worker.answer(last(worker), {});
+  await opened;
+  const update = core.call("update", []);
+  worker.reply({ broken: { kind: "RuntimeError", message: "unreachable" } });
+  await assert.rejects(update, { message: "unreachable" });
+}
+
+test("V9 a core that dies of the same thing again and again is left alone, until it is started by hand", async () => {
+  const { client: core, workers } = client();
+  /** @type {string[]} */
+  const told = [];
+  for (const name of ["died", "stopped"]) core.addEventListener(name, () => told.push(name));
+  await die(workers, core);
+  await die(workers, core);
+  await die(workers, core);
+  assert.deepEqual(told, ["died", "died", "stopped"]);
+  assert.equal(workers.length, 3);
+  assert.ok(workers.every((worker) => worker.terminated));
+  await assert.rejects(core.call("validity"), { message: "unreachable" });
+  core.restart();
+  await die(workers, core);
+  assert.equal(workers.length, 5);
+});
+
+test("V9 deaths with work done between them are forgotten", async () => {
+  const { client: core, workers } = client();
+  for (let round = 0; round < 5; round++) {
+    await die(workers, core);
+    const worker = /** @type {ManualWorker} */ (workers.at(-1));
+    boot(worker);
+    await core.ready;
+    const update = core.call("update", []);
+    worker.answer(last(worker), {});
+    await update;
+    core.restart();
+  }
+  assert.equal(workers.length, 11);
+});
+
+test("V9 a second start that fails is told", async () => {
+  const { client: core, workers, worker } = client();
+  boot(worker);
+  await core.ready;
+  const stopped = new Promise((resolve) =>
+    core.addEventListener("stopped", (event) => resolve(detailOf(event))),
+  );
+  core.restart();
+  workers[1].reply({ failed: { kind: "Error", message: "pyodide.asm.wasm is missing" } });
+  assert.match(/** @type {any} */ (await stopped).error.message, /asm\.wasm is missing/);
+  await assert.rejects(core.call("validity"), /asm\.wasm is missing/);
+});
+
+test("where there is no worker the start fails in words", async () => {
+  const transport = new WorkerTransport({ worker: "worker.js", runtime: "runtime/" });
+  transport.makeWorker = () => {
+    throw new Error("Worker is not defined");
+  };
+  const core = new CoreClient(transport);
+  await assert.rejects(core.ready, { message: "no worker can be had here: Worker is not defined" });
+  await assert.rejects(core.call("validity"), /no worker/);
+});

@@ -24,6 +24,28 @@ test("what is shown in a box can be typed again and gives the same number back",
   }
 });
 
+test("typed numbers are read as they are written anywhere, or not at all", () => {
+  for (const [text, value] of /** @type {[string, number][]} */ ([
+    ["٣٫٥", 3.5], // Arabic
+    ["۱۲", 12], // Persian
+    ["१.५", 1.5], // Devanagari
+    ["１２．５", 12.5], // full width
+    ["1\u202f234,5", 1234.5], // French
+    ["1'234.5", 1234.5], // Swiss
+    ["1,234.5", 1234.5],
+    ["1.234,5", 1234.5],
+    ["1,234,567", 1234567],
+    ["1,234", 1.234],
+    ["–2", -2],
+    [".5", 0.5],
+    ["5.", 5],
+    ["+1e3", 1000],
+  ]))
+    assert.equal(parsed(text), value, text);
+  for (const text of ["1,23,456.7", "1.2.3", "12,34,567", "1e", "0x10", "½", "五", "1 2", "--1", "1,2345.6"])
+    assert.equal(parsed(text), null, text);
+});
+
 test("typed numbers take a comma and a minus sign, and nothing else", () => {
   assert.equal(parsed(" 0,5 "), 0.5);
   assert.equal(parsed("−2"), -2);
