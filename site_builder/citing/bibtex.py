@@ -1,12 +1,17 @@
-"""Reading BibTeX: enough of it for the entry that a paper's page offers."""
+"""Reading BibTeX and biblatex: the entry that a paper's page offers, by pybtex; its TeX made text by pylatexenc."""
 
 from __future__ import annotations
 
 import re
-import unicodedata
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
+
+from pybtex.database import BibliographyData, Person
+from pybtex.database import Entry as Parsed
+from pybtex.database.input.bibtex import Parser, UndefinedMacro
+from pybtex.errors import capture
+from pybtex.scanner import PybtexSyntaxError
+from pylatexenc.latex2text import LatexNodes2Text, MacroTextSpec, get_default_latex_context_db
 
 from ..model.catalogue import Author
 from ..model.names import normal_doi
@@ -26,56 +31,49 @@ class Entry:
     authors: list[Author]
 
 
-ACCENTS = {
-    '"': "\u0308", "'": "\u0301", "`": "\u0300", "^": "\u0302", "~": "\u0303", "=": "\u0304", ".": "\u0307",
-    "c": "\u0327", "v": "\u030c", "u": "\u0306", "H": "\u030b", "k": "\u0328", "r": "\u030a",
-}  # fmt: skip
-LETTERS = {
-    "ss": "ß",
-    "o": "ø",
-    "O": "Ø",
-    "l": "ł",
-    "L": "Ł",
-    "ae": "æ",
-    "AE": "Æ",
-    "aa": "å",
-    "AA": "Å",
-    "i": "ı",
-}
-_MONTHS = ("jan", "feb", "mar", "apr", "may", "jun", "jul", "aug", "sep", "oct", "nov", "dec")
-_TYPES = {
+MONTHS = ("jan", "feb", "mar", "apr", "may", "jun", "jul", "aug", "sep", "oct", "nov", "dec")
+TYPES = {
     "article": "article-journal", "inproceedings": "paper-conference", "conference": "paper-conference",
-    "incollection": "chapter", "book": "book", "phdthesis": "thesis", "mastersthesis": "thesis",
-    "techreport": "report", "dataset": "dataset", "misc": "article", "unpublished": "article", "online": "article",
-    "software": "software",
+    "incollection": "chapter", "inbook": "chapter", "book": "book", "phdthesis": "thesis", "mastersthesis": "thesis",
+    "thesis": "thesis", "techreport": "report", "report": "report", "dataset": "dataset", "software": "software",
 }  # fmt: skip
-_PUBLISHERS = ("publisher", "school", "institution", "organization")
+"""CSL's types of BibTeX's and biblatex's; of others it is "article", a preprint."""
+
+NAMES = {
+    "container": ("journal", "journaltitle", "booktitle", "eventtitle"),
+    "publisher": ("publisher", "school", "institution", "organization"),
+    "number": ("articleno", "article-number", "eid"),
+    "year": ("year", "date"),
+    "month": ("month",),
+}
+"""What a thing is called in BibTeX, in biblatex and by publishers; the first that an entry has counts."""
+
+PUBLISHED = ("book", "chapter", "report", "thesis", "dataset")
+"""Types of CSL whose publisher is cited."""
+
 _HTML = re.compile(r"</?(?:i|b|em|strong|sub|sup|scp|span|tt)(?:\s[^<>]*)?>", re.IGNORECASE)
 """Mark-up that publishers' pages leave in the titles of their BibTeX."""
 
+_VERBATIM = ("doi", "url", "eprint", "file")
+"""Fields that hold no TeX but what protects their signs."""
+
 
 def read_bibtex(text: str) -> Entry:
-    """The first entry of a BibTeX file.
+    """The first entry of a BibTeX or biblatex file.
 
     Raises
     ------
     BibtexError
-        There is none, or it doesn't end.
+        There is none, or it can't be read: which line, and why.
     """
-    text = re.sub(r"(?m)^\s*%.*$", "", text)
-    macros: dict[str, str] = {}
-    place = 0
-    while start := re.compile(r"@(\w+)\s*\{").search(text, place):
-        kind, body = start[1].lower(), _braced(text, start.end())
-        place = start.end() + len(body)
-        if kind == "string":
-            macros.update(_fields(body, macros))
-        elif kind not in ("comment", "preamble"):
-            key, _, rest = body.partition(",")
-            raw = dict(_fields(rest, macros))
-            authors = [_name(name) for name in _split_names(raw.get("author", ""))]
-            return Entry(kind, key.strip(), {name: _untex(value) for name, value in raw.items()}, authors)
-    raise BibtexError("no entry like @article{key, title = {...}} in it")
+    found = _parsed(_without_comments(text))
+    first = next(iter(found.entries.items()), None)
+    if first is None:
+        raise BibtexError("no entry like @article{key, title = {...}} in it")
+    key, entry = first
+    fields = {name.lower(): _plain(name.lower(), value) for name, value in _with_parent(entry, found).items()}
+    authors = [_author(person) for person in entry.persons.get("author", []) if str(person) != "others"]
+    return Entry(entry.type.lower(), key, fields, authors)
 
 
 def csl_reference(entry: Entry) -> dict[str, Any]:
@@ -87,142 +85,144 @@ def csl_reference(entry: Entry) -> dict[str, Any]:
         Title, author or year is missing.
     """
     fields = entry.fields
-    missing = [name for name in ("title", "author", "year") if not fields.get(name)]
+    having = {"title": fields.get("title"), "author": entry.authors, "year": _first(fields, "year")}
+    missing = [name for name, value in having.items() if not value]
     if missing:
         raise BibtexError(f"the entry {entry.key!r} lacks {', '.join(missing)}")
     pages = re.sub(r"\s*[-–—]+\s*", "-", fields.get("pages", ""))
-    article = fields.get("articleno") or fields.get("article-number", "")
-    arxiv = (
-        fields.get("eprint", "")
-        if "arxiv" in fields.get("archiveprefix", fields.get("eprinttype", "")).lower()
-        else ""
-    )
-    doi = normal_doi(fields.get("doi", "")) or normal_doi(fields.get("url", ""))
-    kind = _TYPES.get(entry.kind, "article")
+    article = _first(fields, "number")
+    kind = TYPES.get(entry.kind, "article")
+    title = ": ".join(part for part in (fields["title"], fields.get("subtitle", "")) if part)
     reference: dict[str, Any] = {
         "type": kind,
-        "title": fields["title"],
+        "title": title,
         "author": entry.authors,
         "issued": _issued(fields),
-        "container-title": fields.get("journal") or fields.get("booktitle") or "",
-        "publisher": next((fields[name] for name in _PUBLISHERS if fields.get(name)), "")
-        if kind in ("book", "chapter", "report", "thesis", "dataset")
-        else "",
+        "container-title": _first(fields, "container"),
+        "publisher": _first(fields, "publisher") if kind in PUBLISHED else "",
         "volume": fields.get("volume", ""),
-        "issue": fields.get("number", "") if kind == "article-journal" else "",
+        "issue": (fields.get("number") or fields.get("issue", "")) if kind == "article-journal" else "",
         "page": "" if article and ":" in pages else pages,
         "number": article,
-        "DOI": doi,
-        "arXiv": re.sub(r"^arxiv:", "", arxiv, flags=re.IGNORECASE),
+        "DOI": normal_doi(fields.get("doi", "")) or normal_doi(fields.get("url", "")),
+        "arXiv": _arxiv(fields),
     }
     return {key: value for key, value in reference.items() if value}
 
 
-def _braced(text: str, start: int) -> str:
-    """The text up to the brace that closes the one before `start`."""
-    depth = 1
-    for place in range(start, len(text)):
-        if text[place] in "{}" and text[place - 1] != "\\":
-            depth += 1 if text[place] == "{" else -1
-            if not depth:
-                return text[start:place]
-    raise BibtexError("the entry's last brace is missing")
+def untex(text: str) -> str:
+    r"""Text without TeX: accents composed, commands and braces gone, one space between words.
+
+    >>> untex(r"{M}esh\"oberfl\"ache {\L}ukasz, 3 $\times$ 3")
+    'Meshöberfläche Łukasz, 3 × 3'
+    """
+    plain = " ".join(_TO_TEXT.latex_to_text(_HTML.sub("", text)).split())
+    return re.sub(r"(?<=\d)× (?=\d)", "×", plain)  # the blank ends the command
 
 
-def _fields(text: str, macros: dict[str, str]) -> Iterator[tuple[str, str]]:
-    place = 0
-    while found := re.compile(r"[\s,]*([\w-]+)\s*=\s*").match(text, place):
-        value, place = _value(text, found.end(), macros)
-        yield found[1].lower(), value
+def _text_of_tex() -> LatexNodes2Text:
+    """Converts as pylatexenc does, but for commands whose argument is all that counts."""
+    context = get_default_latex_context_db()
+    plain = [MacroTextSpec(name, "%s") for name in ("url", "emph")]
+    context.add_context_category("plain", prepend=True, macros=plain)
+    return LatexNodes2Text(latex_context=context, math_mode="text", keep_comments=True)
 
 
-def _value(text: str, start: int, macros: dict[str, str]) -> tuple[str, int]:
-    parts = []
-    place = start
+_TO_TEXT = _text_of_tex()
+
+
+def _plain(name: str, value: str) -> str:
+    if name in _VERBATIM:
+        return re.sub(r"\\([%&#_~])", r"\1", value).replace("{", "").replace("}", "").strip()
+    # A % that stands alone is no comment of TeX's here: lines of comments are gone.
+    return untex(re.sub(r"(?<!\\)%", r"\\%", value))
+
+
+def _parsed(text: str) -> BibliographyData:
+    """All entries; a bare word that is no macro stands for itself, as months do.
+
+    Raises
+    ------
+    BibtexError
+        Something in it can't be read.
+    """
+    macros = dict(zip(MONTHS, MONTHS, strict=True))
     while True:
-        if text[place : place + 1] == "{":
-            part = _braced(text, place + 1)
-            place += len(part) + 2
-        elif text[place : place + 1] == '"':
-            end = _closing_quote(text, place + 1)
-            part, place = text[place + 1 : end], end + 1
-        else:
-            word = re.compile(r"[^\s,#}]*").match(text, place)
-            part = word[0] if word else ""
-            place += len(part)
-            part = macros.get(part.lower(), part)
-        parts.append(part)
-        more = re.compile(r"\s*#\s*").match(text, place)
-        if not more:
-            return "".join(parts), place
-        place = more.end()
+        with capture() as problems:
+            found = Parser(macros=dict(macros)).parse_string(text)
+        unknown = {str(problem.args[0]) for problem in problems if isinstance(problem, UndefinedMacro)}
+        if not unknown - macros.keys():
+            break
+        macros.update((word, word) for word in unknown)
+    for problem in problems:
+        if isinstance(problem, PybtexSyntaxError) and not isinstance(problem, UndefinedMacro):
+            raise BibtexError(_sentence(problem))
+    return found
 
 
-def _closing_quote(text: str, start: int) -> int:
-    depth = 0
-    for place in range(start, len(text)):
-        depth += {"{": 1, "}": -1}.get(text[place], 0)
-        if text[place] == '"' and not depth:
-            return place
-    raise BibtexError("a quotation mark isn't closed")
+def _without_comments(text: str) -> str:
+    """The text with lines of comments and @comment{...} blanked, so that lines keep their numbers."""
+    text = re.sub(r"(?m)^[ \t]*%.*$", "", text)
+    while start := re.search(r"@comment\s*\{", text, re.IGNORECASE):
+        depth, end = 1, start.end()
+        while depth and end < len(text):
+            depth += {"{": 1, "}": -1}.get(text[end], 0)
+            end += 1
+        text = text[: start.start()] + "\n" * text.count("\n", start.start(), end) + text[end:]
+    return text
 
 
-def _untex(text: str) -> str:
-    """Text without TeX: accents composed, commands and braces gone, one space between words."""
-    text = re.sub(r"\\([\"'`^~=.])\s*\{?\\?([A-Za-z])\}?", _accented, text)
-    text = re.sub(r"\\([cvuHkr])(?:\s+|\s*\{)\\?([A-Za-z])\}?", _accented, text)
-    text = re.sub(r"\\(ss|ae|AE|aa|AA|[oOlLi])(?![A-Za-z])(\{\})?\s?", lambda found: LETTERS[found[1]], text)
-    text = re.sub(r"\\text(?:it|bf|sc|rm)\b|\\(?:emph|mathrm|url)\b", "", text)
-    text = re.sub(r"\\([&%$#_{}])", r"\1", text).replace("~", " ").replace("---", "—").replace("--", "–")
-    text = text.replace("``", "“").replace("''", "”")
-    text = re.sub(r"\$\\times\s*\$", "×", text)
-    text = re.sub(r"\$\\ell\s*_?\{?(\w?)\}?\$", r"ℓ\1", text)
-    return " ".join(re.sub(r"[{}$]|\\(?=\s)", "", _HTML.sub("", text)).split())
+def _with_parent(entry: Parsed, found: Any) -> dict[str, str]:
+    """The fields, with those of the entry that `crossref` names where it has none of its own."""
+    own = dict(entry.fields)
+    parent = found.entries.get(own.get("crossref", ""))
+    if parent is None:
+        return own
+    inherited = {name: value for name, value in parent.fields.items() if name.lower() not in entry.fields}
+    if "title" in parent.fields and "booktitle" not in entry.fields:
+        inherited["booktitle"] = parent.fields["title"]
+    return {**inherited, **own}
 
 
-def _accented(found: re.Match[str]) -> str:
-    return unicodedata.normalize("NFC", found[2] + ACCENTS[found[1]])
-
-
-def _split_names(text: str) -> list[str]:
-    """Names as TeX has them; an "and" inside braces is part of a name, "others" is nobody."""
-    names = [part.strip() for part in _split_outside_braces(text, r"\s+and\s+")]
-    return [name for name in names if name and name != "others"]
-
-
-def _split_outside_braces(text: str, separator: str) -> list[str]:
-    parts = [""]
-    for part in re.split(f"({separator})", text):
-        inside = parts[-1].count("{") > parts[-1].count("}")
-        if re.fullmatch(separator, part) and not inside:
-            parts.append("")
-        else:
-            parts[-1] += part
-    return parts
-
-
-def _name(name: str) -> Author:
-    """A CSL name from TeX's "von Last, Jr, First" or "First von Last"; a group is all in braces."""
-    if name.startswith("{") and len(_braced(name, 1)) == len(name) - 2 and not name.startswith("{\\"):
-        return {"literal": _untex(name)}
-    family, *rest = (_untex(part) for part in _split_outside_braces(name, ","))
-    if rest:
-        *suffix, given = rest
-        family = " ".join([family, *suffix])
-    else:
-        words = [_untex(word) for word in _split_outside_braces(name, r"\s+")]
-        start = next((i for i, word in enumerate(words[1:-1], 1) if word[:1].islower()), len(words) - 1)
-        given, family = " ".join(words[:start]), " ".join(words[start:])
+def _author(person: Person) -> Author:
+    """A CSL name; a group is all in braces."""
+    parts = {
+        "given": [*person.first_names, *person.middle_names],
+        "family": [*person.prelast_names, *person.last_names, *person.lineage_names],
+    }
+    given, family = (untex(" ".join(parts[part])) for part in ("given", "family"))
     return {"family": family, "given": given} if given else {"literal": family}
 
 
+def _first(fields: dict[str, str], what: str) -> str:
+    return next((fields[name] for name in NAMES[what] if fields.get(name)), "")
+
+
+def _arxiv(fields: dict[str, str]) -> str:
+    archive = fields.get("archiveprefix") or fields.get("eprinttype", "")
+    number = fields.get("eprint", "") if "arxiv" in archive.lower() else ""
+    return re.sub(r"^arxiv:", "", number, flags=re.IGNORECASE)
+
+
 def _issued(fields: dict[str, str]) -> int | str:
-    year = re.search(r"\d{4}", fields["year"])
-    if not year:
-        raise BibtexError(f"the year {fields['year']!r} is no year")
-    month = fields.get("month", "").lower()[:3]
-    if month in _MONTHS:
-        return f"{year[0]}-{_MONTHS.index(month) + 1:02d}"
-    if month.isdigit() and 1 <= int(month) <= 12:
-        return f"{year[0]}-{int(month):02d}"
-    return int(year[0])
+    date = _first(fields, "year")
+    found = re.search(r"(\d{4})(?:-(\d{2}))?", date)
+    if not found:
+        raise BibtexError(f"the year {date!r} is no year")
+    month = found[2] or _month(fields.get("month", "").lower())
+    return f"{found[1]}-{month}" if month else int(found[1])
+
+
+def _month(text: str) -> str:
+    """The month's two digits, out of its name or number; empty where there is none."""
+    for number, name in enumerate(MONTHS, 1):
+        if text.startswith(name) or (text.isdigit() and int(text) == number):
+            return f"{number:02d}"
+    return ""
+
+
+def _sentence(error: Exception) -> str:
+    """What pybtex says, as a part of our sentence."""
+    line = getattr(error, "lineno", None)
+    said = " ".join(str(error.args[0] if error.args else error).split())
+    return f"the BibTeX can't be read{f', line {line}' if line else ''}: {said}"

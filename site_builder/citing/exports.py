@@ -10,7 +10,17 @@ from typing import Any
 
 from ..model.catalogue import Author, Reference
 from ..model.names import doi_address
-from .bibtex import ACCENTS, LETTERS
+
+ACCENTS = {
+    '"': "\u0308", "'": "\u0301", "`": "\u0300", "^": "\u0302", "~": "\u0303", "=": "\u0304", ".": "\u0307",
+    "c": "\u0327", "v": "\u030c", "u": "\u0306", "H": "\u030b", "k": "\u0328", "r": "\u030a",
+}  # fmt: skip
+"""TeX's accents and the marks that they put on a letter."""
+
+LETTERS = {
+    "ss": "ß", "o": "ø", "O": "Ø", "l": "ł", "L": "Ł", "ae": "æ", "AE": "Æ", "aa": "å", "AA": "Å", "i": "ı",
+}  # fmt: skip
+"""TeX's letters that no accent makes."""
 
 _BIBTEX_TYPES = {
     "article-journal": "article", "paper-conference": "inproceedings", "chapter": "incollection", "book": "book",

@@ -210,7 +210,7 @@ def test_C6_an_authors_own_bibtex_is_read():
     ("text", "message"),
     [
         ("no bibtex here", "no entry"),
-        ("@article{key, title = {open", "last brace"),
+        ("@article{key,\n title = {open", "can't be read, line 2"),
         ("@article{key, title = {T}}", "lacks author, year"),
         ("@article{key, title = {T}, author = {A}, year = {soon}}", "is no year"),
     ],

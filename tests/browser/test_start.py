@@ -1,0 +1,105 @@
+"""A start that fails, wherever it does, ends in words: it neither waits for ever nor leaves a blank page."""
+
+from __future__ import annotations
+
+import hashlib
+from pathlib import Path
+from typing import Any
+
+from playwright.sync_api import Browser, Page, Route
+
+from tests.browser import ui
+from tests.browser.conftest import grid
+from tests.browser.test_forgiving import words
+
+MESH = grid(3, 3, 3)
+NO_HASH = "Object.defineProperty(self, 'crypto', {value: {getRandomValues: crypto.getRandomValues.bind(crypto)}});\n"
+
+
+def start(chromium: Browser, address: str, prepare: Any = None, **context: Any) -> tuple[Page, list[str]]:
+    """A page of its own at the address, and what its console reports."""
+    page = chromium.new_context(**context).new_page()
+    errors: list[str] = []
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    if prepare:
+        prepare(page)
+    page.goto(address)
+    return page, errors
+
+
+def test_O4_an_interpreter_whose_file_is_missing_is_told(chromium: Browser, site: str) -> None:
+    page, _ = start(
+        chromium, f"{site}/viewer/", lambda page: page.route("**/*.asm.wasm", lambda route: route.abort())
+    )
+    words(page, "Python could not be started: ")
+    assert "could not be fetched" in ui.messages(page)
+    assert page.get_by_role("button", name="try again").count() == 1
+    page.context.close()
+
+
+def test_O4_a_file_that_the_server_has_not_is_told(chromium: Browser, site: str) -> None:
+    gone = lambda route: route.fulfill(status=404, body="")  # noqa: E731
+    page, _ = start(chromium, f"{site}/viewer/", lambda page: page.route("**/python_stdlib.zip", gone))
+    words(page, "python_stdlib.zip is missing on the server (status 404)")
+    page.context.close()
+
+
+def test_O4_webassembly_blocked_by_a_policy_is_told(chromium: Browser, site: str) -> None:
+    def without(route: Route) -> None:
+        response = route.fetch()
+        policy = "script-src 'self'"
+        route.fulfill(response=response, headers={**response.headers, "content-security-policy": policy})
+
+    page, _ = start(chromium, f"{site}/viewer/", lambda page: page.route("**/*.js", without))
+    words(page, "WebAssembly is blocked here")
+    page.context.close()
+
+
+def test_O4_a_browser_without_workers_is_told(chromium: Browser, site: str) -> None:
+    page, _ = start(chromium, f"{site}/viewer/", lambda page: page.add_init_script("delete window.Worker"))
+    words(page, "no worker can be had here")
+    page.context.close()
+
+
+def test_O4_a_script_that_does_not_run_leaves_words_on_the_page(chromium: Browser, site: str) -> None:
+    page, _ = start(
+        chromium, f"{site}/viewer/", lambda page: page.route("**/main-*.js", lambda route: route.abort())
+    )
+    said = page.locator("#could-not-start")
+    ui.until(said.is_visible)
+    assert "The viewer could not start" in said.inner_text()
+    page.context.close()
+
+
+def test_A3_a_sandboxed_frame_works_or_says_why(chromium: Browser, site: str, shelf: Path) -> None:
+    (shelf / "frame.html").write_text(
+        f'<iframe sandbox="allow-scripts" src="{site}/viewer/" width=900 height=600></iframe>'
+    )
+    page, _ = start(chromium, f"{site}/bench/frame.html")
+    frame = page.frames[1] if len(page.frames) > 1 else page.wait_for_event("frameattached")
+
+    def told() -> bool:
+        if frame.locator("#could-not-start").is_visible():
+            return True
+        return "ready" in str(frame.evaluate("() => window.hexalab ? 'there' : ''")) or bool(
+            frame.locator(".messages").count() and frame.locator(".messages").inner_text().strip()
+        )
+
+    ui.until(told, 40)
+    page.context.close()
+
+
+def test_R7_sha256_is_known_where_the_browser_has_no_hash(chromium: Browser, site: str, shelf: Path) -> None:
+    """As on plain http: the worker has no crypto.subtle, and Python hashes."""
+
+    def without(route: Route) -> None:
+        response = route.fetch()
+        route.fulfill(response=response, body=NO_HASH + response.text())
+
+    page, _ = start(chromium, f"{site}/viewer/", lambda page: page.route("**/worker*.js", without))
+    page.evaluate("() => window.hexalab.ready")
+    assert page.locator("#could-not-start").count() == 0
+    ui.open_mesh(page, site, shelf, MESH, "hash.mesh")
+    expected = hashlib.sha256((shelf / "hash.mesh").read_bytes()).hexdigest()
+    ui.until(lambda: ui.status(page)["mesh"]["sha256"] == expected)
+    page.context.close()
