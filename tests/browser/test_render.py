@@ -10,6 +10,7 @@ import pytest
 
 from benchmarks.page import SITE
 from hexalab import Mesh, cli, write
+from hexalab.hosts.rendering import Renderer
 from hexalab.png_text import read_settings
 
 pytestmark = pytest.mark.browser
@@ -47,3 +48,18 @@ def test_A2_render_makes_the_same_picture_again_from_its_own_status(
     assert drawn["mesh"]["cells"] == 1
     assert run([*words, "-o", str(second), "--status", str(first)]) == 0
     assert second.read_bytes() == first.read_bytes()
+
+
+def test_B3_nothing_of_a_picture_stays_for_the_next(cube: Path) -> None:
+    def pictures() -> list[bytes]:
+        with Renderer(SITE) as renderer:
+            size = {"width": 160, "height": 100}
+            data = cube.read_bytes()
+            first = renderer.render("cube.mesh", data, {"lighting": {"mode": "none"}}, **size)
+            loud = {"background": "#336699", "colour": {"by": "quality"}, "separation": {"mode": "rounded"}}
+            renderer.render("cube.mesh", data, loud, **size)
+            return [first.png, renderer.render("cube.mesh", data, {"lighting": {"mode": "none"}}, **size).png]
+
+    with ThreadPoolExecutor(1) as thread:
+        first, third = thread.submit(pictures).result()
+    assert first == third

@@ -67,3 +67,35 @@ def test_R6_a_zip_of_one_mesh_opens(viewer: Page, tmp_path: Path) -> None:
         pack.write(tmp_path / "single.mesh", "folder/single.mesh")
     viewer.locator("#file").set_input_files(tmp_path / "single.zip")
     ui.until(lambda: ui.summary(viewer).get("name") == "single.mesh" and ui.shown(viewer) == 8)
+
+
+def test_B1_meshes_of_one_stem_have_pictures_of_their_own_and_settings_do_not_go_on(
+    viewer: Page, tmp_path: Path
+) -> None:
+    """The first has a status beside it; of that nothing stays for the second, nor on the page."""
+    file = tmp_path / "twice.zip"
+    with zipfile.ZipFile(file, "w") as pack:
+        for name in ("part.mesh", "part.vtk"):
+            hexalab.write(grid(2, 1, 1), tmp_path / name)
+            pack.write(tmp_path / name, f"a/{name}" if name == "part.mesh" else f"A/{name}")
+        pack.writestr("a/part.json", json.dumps({"background": "#102030", "colour": {"by": "kind"}}))
+    status = {"background": "#ff0000", "lighting": {"mode": "none"}, "silhouette": 0}
+    data = list(file.read_bytes())
+    made = viewer.evaluate(
+        """async ([data, status]) => {
+            const zip = await window.hexalab.batch(new Blob([new Uint8Array(data)]), status, { width: 60, height: 40 });
+            return [...new Uint8Array(await zip.arrayBuffer())];
+        }""",
+        [data, status],
+    )
+    pack = zipfile.ZipFile(io.BytesIO(bytes(made)))
+    rows = {row["name"]: row for row in csv.DictReader(io.StringIO(pack.read("measurements.csv").decode()))}
+    assert {name: row["picture"] for name, row in rows.items()} == {
+        "a/part.mesh": "a/part.png",
+        "A/part.vtk": "A/part-2.png",
+    }
+    for row, colour in (("a/part.mesh", (16, 32, 48)), ("A/part.vtk", (255, 0, 0))):
+        picture = Image.open(io.BytesIO(pack.read(rows[row]["picture"]))).convert("RGB")
+        assert picture.getpixel((0, 0)) == colour
+    assert ui.status(viewer)["colour"]["by"] == "sides"
+    assert ui.status(viewer)["background"] == "#ff0000"

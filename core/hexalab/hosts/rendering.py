@@ -35,6 +35,8 @@ PATIENCE = 600_000
 SHOW = """async ({ address, name, status }) => {
   const hexalab = window.hexalab;
   try {
+    const { mesh, ...defaults } = JSON.parse(document.getElementById("core-tables").textContent).defaults;
+    await hexalab.setStatus(defaults); // of the settings of the picture before nothing stays
     if (address) await hexalab.open(new File([await (await fetch(address)).blob()], name));
     else await hexalab.open(name);
     const rejections = status ? await hexalab.setStatus(status) : [];
@@ -183,7 +185,7 @@ class Renderer:
         data : bytes or None
             The file; None for a mesh of the catalogue.
         status : dict, optional
-            Whole or partial, ours or the original's.
+            Whole or partial, ours or the original's; it is laid over the defaults, whatever was rendered before.
         width, height : int
             Pixels, 8192 at most.
         transparent : bool

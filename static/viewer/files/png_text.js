@@ -10,7 +10,7 @@ const KEYWORD = "hexalab";
 const TEXTS = ["iTXt", "zTXt", "tEXt"];
 
 /** Bytes of settings that a picture may carry: a list of the cells of a large mesh has room. */
-const MOST_BYTES = 2 ** 26;
+const MOST_BYTES = 2 ** 24;
 
 const SIGNATURE = [137, 80, 78, 71, 13, 10, 26, 10];
 

@@ -54,3 +54,15 @@ test("S3: what is no picture, or is cut short, is named", async () => {
     /cut short/,
   );
 });
+
+test("S3: settings take the place of those that the picture carried", async () => {
+  const first = await writeStatus(new Blob([picture()]), '{"a": 1}');
+  const second = Buffer.from(await (await writeStatus(first, '{"b": 2}')).arrayBuffer());
+  assert.equal(await readStatus(buffer(second)), '{"b": 2}');
+  assert.equal(second.toString("latin1").split("iTXthexalab").length, 2);
+});
+
+test("S3: settings that unpack to more than 16 MB are refused while they are unpacked", async () => {
+  const bomb = Buffer.concat([Buffer.from("hexalab\0\0"), deflateSync(Buffer.alloc(2 ** 25))]);
+  await assert.rejects(readStatus(buffer(picture(chunk("zTXt", bomb)))), /more than 16 MB when unpacked/);
+});

@@ -67,3 +67,9 @@ test("F1: a further plane takes an axis that is not used", () => {
   assert.deepEqual(anotherPlane([PLANE]).normal, [0, 1, 0]);
   assert.deepEqual(anotherPlane([PLANE, { ...PLANE, normal: [0, 1, 0] }]).normal, [0, 0, 1]);
 });
+
+test("F1: setting a plane from the view switches it on, inverted or not", () => {
+  const off = { ...PLANE, enabled: false };
+  assert.equal(fromView(off, at(10), false).enabled, true);
+  assert.equal(fromView(off, at(175), false).enabled, true);
+});
