@@ -8,7 +8,7 @@ const PATIENCE = 20_000;
 export class StartWatch {
   #client;
   #messages;
-  #last = "nothing";
+  #last = "";
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #timer;
 
@@ -40,7 +40,7 @@ export class StartWatch {
       const seconds = Math.round(this.patience / 1000);
       this.#messages.say(
         "warning",
-        `Python takes long to start: for ${seconds} s nothing has come after ${this.#last}. The network may be slow or gone`,
+        `Python takes long to start: nothing has come for ${seconds} s${this.#last ? `, after ${this.#last}` : ""}. The network may be slow or gone`,
         { topic: "start", action: { name: "try again", press: () => location.reload() } },
       );
     }, this.patience);
