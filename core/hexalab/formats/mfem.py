@@ -127,23 +127,15 @@ class Reader:
     def elements(self) -> None:
         """Read the elements; those that are no cells are counted."""
         rows = self.rows("elements")
-        kept = np.zeros(len(rows.starts), dtype=bool)
-        parts = []
-        for shape, number, which in rows.by_type():
-            if shape.kind is None:
-                self.out.leave_out(shape.name, len(which))
-                continue
-            kept[which] = True
-            parts.append((shape.kind, which, rows.corners(number, which)))
-        place = np.cumsum(kept) - 1
+        kept, cells = rows.cells(self.out)
         begin = self.begin
-        for kind, which, corners in parts:
+        for kind, which, corners, places in cells:
 
             def locate(message: str, cell: int, _corner: int, which: Array = which) -> MeshReadError:
                 index = int(rows.starts[which[cell]])
                 return self.text.error(message, self.text.number_offset(begin, index))
 
-            self.out.blocks.append(CellBlock(kind, as_int32(corners), locate, cells=place[which]))
+            self.out.blocks.append(CellBlock(kind, as_int32(corners), locate, cells=places))
         self.out.cell_data["attribute"] = narrowed(rows.column(0)[kept])
 
     def boundary(self) -> None:

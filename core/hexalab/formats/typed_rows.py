@@ -11,11 +11,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from ..arrays import Array
 from ..cells import TETRAHEDRON as TETRAHEDRON  # of the example above
+from .assembly import Assembly
 from .row_chain import RowForm
 
 
@@ -39,6 +41,15 @@ class Shape:
     size: int
     kind: int | None = None
     order: tuple[int, ...] = ()
+
+
+class Cells(NamedTuple):
+    """Cells of one kind: their rows, what stands for their corners, (k, n), and their places among all cells."""
+
+    kind: int
+    rows: Array
+    corners: Array
+    places: Array
 
 
 def row_form(shapes: Mapping[int, Shape], place: int) -> RowForm:
@@ -85,6 +96,19 @@ class TypedRows:
         types = self.column(self.place)
         for number in np.unique(types).tolist():
             yield self.shapes[number], number, np.flatnonzero(types == number)
+
+    def cells(self, out: Assembly) -> tuple[Array, list[Cells]]:
+        """(m,) which rows are cells, and the cells of each kind; what is none is counted in `out`."""
+        kept = np.zeros(len(self.starts), dtype=bool)
+        found = []
+        for shape, number, which in self.by_type():
+            if shape.kind is None:
+                out.leave_out(shape.name, len(which))
+                continue
+            kept[which] = True
+            found.append((shape.kind, which, self.corners(number, which)))
+        place = np.cumsum(kept) - 1
+        return kept, [Cells(kind, which, corners, place[which]) for kind, which, corners in found]
 
     def corners(self, number: int, which: Array) -> Array:
         """(k, n) what stands for the corners, in VTK's order, of those rows, all of which have that type."""

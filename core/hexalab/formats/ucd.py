@@ -109,26 +109,16 @@ class Reader:
         """Read the cells; their numbers, and which are kept. Those that are no volumetric cells are counted."""
         rows = self.cell_rows(count)
         numbers = rows.column(0)
-        kept = np.zeros(count, dtype=bool)
-        parts = []
-        for shape, number, which in rows.by_type():
-            if shape.kind is None:
-                self.out.leave_out(shape.name, len(which))
-                continue
-            kept[which] = True
-            tags = rows.corners(number, which)
+        kept, cells = rows.cells(self.out)
+        for kind, which, tags, places in cells:
             corners = numbering.places(tags)
             if (corners < 0).any():
                 node = int(tags.T[(corners < 0).T][0])
                 cell = int(numbers[which[(corners < 0).any(axis=0)][0]])
                 raise self.text.error(f"cell {cell} refers to node {node}: it is missing", self.begin)
-            parts.append((shape.kind, which, corners))
-        place = np.cumsum(kept) - 1
-        for kind, which, corners in parts:
-            block = CellBlock(kind, corners, self.locate, cells=place[which], numbers=numbers[which])
+            block = CellBlock(kind, corners, self.locate, cells=places, numbers=numbers[which])
             check_ids(block, numbering.count)
-            order = self.order_of(block)
-            block.corners = corners[list(order)]
+            block.corners = corners[list(self.order_of(block))]
             self.out.blocks.append(block)
         material = rows.column(1)[kept]
         if material.any():
