@@ -12,6 +12,7 @@ from hexalab.diagnosis import diagnose
 from hexalab.filters.plane import barycentre_places, plane, unit
 from hexalab.mesh import Mesh
 from hexalab.quality import METRICS, certify, histogram, quality_many, statistics
+from hexalab.surface import DrawnMesh
 from tests.core.quality.verdict import CUBE, IDEAL, mesh_of, samples
 from tests.tools import tool
 
@@ -22,17 +23,20 @@ KINDS_ALL = (HEXAHEDRON, WEDGE, PYRAMID, TETRAHEDRON)
 
 
 def shaken(kind: int, seed: int, count: int = 6) -> np.ndarray:
-    """Cells of one kind, some inverted, on places that are whole multiples of 2^-20: sums of them are exact."""
+    """Cells of one kind, some inverted, two at one place, on whole multiples of 2^-20: sums of them are exact."""
     random = np.random.default_rng(seed)
     cells = IDEAL[kind] + random.uniform(-0.4, 0.4, (count, *IDEAL[kind].shape))
+    cells[-1] = cells[0]
     return np.round(cells * 2**20) / 2**20
 
 
 def everything(mesh: Mesh) -> list[tuple[str, int, list[int]]]:
-    """What is told about a mesh without a unit: findings with their cells, validity, which cells a plane hides."""
-    found = [(one.id, one.count, one.cells.tolist()) for one in diagnose(mesh)]
+    """What is told and drawn of a mesh without a unit: findings, validity, what a plane hides, where vertices are."""
+    found = [(one.id, one.count, [*one.cells.tolist(), *one.vertices.tolist()]) for one in diagnose(mesh)]
+    assert "coincident_vertices" in [id for id, _, _ in found]
     found.append(("validity", 0, certify(mesh).state.tolist()))
     near, _ = mesh.within_reach
+    found.append(("drawn", 0, DrawnMesh(near).coordinates.tolist()))
     for offset in (0.25, 0.5):
         hidden = plane(barycentre_places(near.barycentres, [1, 2, -1]), offset)
         found.append(("plane", 0, np.flatnonzero(hidden).tolist()))
