@@ -80,7 +80,7 @@ def node_rows(block: Block) -> tuple[Array, Floats]:
         with np.errstate(invalid="ignore"):
             whole = (np.abs(rows[:, 0]) < 2**53) & (rows[:, 0] % 1 == 0)
         row = int(np.argmin(whole))
-        raise node_error(block, f"a node's number is {rows[row, 0]}, expected a whole number", row)
+        raise node_error(block, f"a node has the number {rows[row, 0]}, which is not whole", row)
     return tags, np.ascontiguousarray(rows[:, 1:4].T)
 
 

@@ -113,7 +113,7 @@ def test_R5_files_of_meshio_and_gmsh(tmp_path: Path) -> None:
         ("4,0,1,0", "4,0,one,0", ["line 8", "‘one’"]),
         ("4,0,1,0", "4,0,nan,0", ["line 8", "y coordinate", "nan"]),
         ("4,0,1,0", ",0,1,0", ["line 8", "begins with a comma"]),
-        ("4,0,1,0", "4.5,0,1,0", ["line 8", "number is 4.5"]),
+        ("4,0,1,0", "4.5,0,1,0", ["line 8", "number 4.5", "not whole"]),
         ("*Node, NSET=all", "*Nodes", ["no *NODE"]),
         ("TYPE=C3D8R", "TYPE=S8R", ["no volumetric cells", "S8R"]),
         ("TYPE=C3D8R", "KIND=C3D8R", ["no volumetric cells", "unknown"]),
