@@ -119,6 +119,27 @@ def test_Q4_dragging_over_the_histogram_keeps_a_band_and_its_lines_can_be_moved(
     assert ui.status(mesh)["filters"]["quality"]["items"] == []
 
 
+def test_Q4_the_acceptable_range_does_not_run_through_the_largest_count(mesh: Page) -> None:
+    for bars in ("horizontal", "vertical"):
+        ui.set_status(mesh, {"colour": {"metric": "warpage"}, "histogram": {"orientation": bars}})
+        values = hexalab.quality(MESH, "warpage")
+        ui.until(lambda: mesh.locator(".digest-line dd").first.inner_text() == f"{values.min():.3f}")
+        box = mesh.locator(".histogram .bracket").bounding_box()
+        largest = mesh.locator(".histogram text").last.bounding_box()
+        assert box and largest
+        assert largest["y"] + largest["height"] <= box["y"] or largest["x"] + largest["width"] <= box["x"]
+
+
+def test_Q8_the_variant_of_a_metric_stands_below_its_name(mesh: Page) -> None:
+    ui.set_status(mesh, {"colour": {"metric": "scaled_jacobian"}})
+    ui.until(lambda: mesh.locator(".variant").inner_text() == "with the centre")
+    name, variant = mesh.locator("#metric").bounding_box(), mesh.locator(".variant p").bounding_box()
+    assert name and variant
+    assert variant["x"] == name["x"]
+    ui.set_status(mesh, {"colour": {"metric": "stretch"}})
+    ui.until(lambda: not mesh.locator(".variant").is_visible())
+
+
 def test_Q4_the_histogram_is_saved_as_csv_svg_and_png(mesh: Page) -> None:
     ui.set_status(mesh, {"histogram": {"bins": 20}})
     ui.until(lambda: mesh.locator(".histogram .bar").count() in range(1, 21))

@@ -24,7 +24,8 @@ import { niceTicks } from "./ticks.js";
  * @property {{ value: number, at: number }[]} ticks
  */
 
-const MARGIN = { top: 16, right: 8, bottom: 20, left: 8 };
+/** In pixels; at the top the largest count stands, and the acceptable range below it. */
+const MARGIN = { top: 24, right: 8, bottom: 20, left: 8 };
 const LYING_LEFT = 44;
 
 /** @param {HistogramData} data @param {Frame} frame @returns {Layout} */

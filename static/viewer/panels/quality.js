@@ -93,10 +93,11 @@ const WATCHED = { status: ["colour"], facts: ["statistics", "summary"] };
 
 /** Which of the metrics it is that go by its name. @param {Context} context */
 function variant(context) {
-  const element = h("p", { class: "quiet variant" });
+  const text = h("p", { class: "quiet" });
+  const element = h("div", { class: "row row-wide variant" }, h("span"), text);
   watch(context, WATCHED, () => {
-    element.textContent = quantityOf(context).variant;
-    element.hidden = !element.textContent;
+    text.textContent = quantityOf(context).variant;
+    element.hidden = !text.textContent;
   });
   return element;
 }
