@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import json
 import zipfile
 from collections.abc import Iterator
@@ -189,7 +190,18 @@ def test_R5_a_deck_and_what_it_includes_are_dropped_together(mesh: Page) -> None
     words(mesh, "it includes parts/mesh.inp")
     drop(mesh, ("mesh.inp", PART), ("job.inp", DECK))
     ui.until(lambda: ui.summary(mesh).get("name") == "job.inp")
+    drop(mesh, ("mesh.inp", PART), ("job.inp.gz", gzip.compress(DECK)))
+    ui.until(lambda: ui.summary(mesh).get("name") == "job.inp.gz")
     assert ui.summary(mesh)["kinds"]["hexahedron"] == 2
+
+
+def test_R5_what_a_deck_includes_may_be_called_anything(mesh: Page) -> None:
+    """CalculiX' preprocessor writes `all.msh`, which is no Gmsh file; a `.txt` is no settings here."""
+    deck = b"*HEADING\n*INCLUDE, INPUT=all.msh\n*INCLUDE, INPUT=gr\xc3\xb6\xc3\x9fe.txt\n*STEP\n*END STEP\n"
+    drop(mesh, ("all.msh", PART), ("cgx.inp", deck), ("größe.txt", b"** nothing\n"))
+    ui.until(lambda: ui.summary(mesh).get("name") == "cgx.inp")
+    assert ui.summary(mesh)["cells"] == 2
+    assert "größe" not in ui.messages(mesh) and "all.msh" not in ui.messages(mesh)
 
 
 def test_R5_a_deck_in_an_archive_is_one_mesh(mesh: Page) -> None:

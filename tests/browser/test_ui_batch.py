@@ -61,6 +61,26 @@ def test_B1_a_dropped_zip_gives_pictures_histograms_and_measurements(viewer: Pag
     assert rows["box.mesh"]["cells"] == "27"
 
 
+def test_R5_decks_in_an_archive_are_meshes_with_what_they_include(viewer: Page, tmp_path: Path) -> None:
+    file = tmp_path / "decks.zip"
+    deck = "*HEADING\n*INCLUDE, INPUT=all.msh\n"
+    with zipfile.ZipFile(file, "w") as pack:
+        for folder, side in (("a", 1), ("b", 2)):
+            hexalab.write(grid(side, 1, 1), tmp_path / "part.inp")
+            pack.write(tmp_path / "part.inp", f"{folder}/all.msh")
+            pack.writestr(f"{folder}/job.inp", deck)
+    ui.set_status(viewer, {"lighting": {"mode": "none"}})
+    viewer.locator("#file").set_input_files(file)
+    ui.until(lambda: viewer.locator("#batch").is_visible())
+    assert "2 meshes in decks.zip" in viewer.locator("#batch").inner_text()
+    with viewer.expect_download(timeout=120_000) as waiting:
+        viewer.locator("#batch").get_by_role("button", name="Start").click()
+    table = zipfile.ZipFile(Path(waiting.value.path())).read("measurements.csv").decode()
+    rows = list(csv.DictReader(io.StringIO(table)))
+    found = [(row["name"], row["cells"], row["problem"]) for row in rows]
+    assert found == [("a/job.inp", "1", ""), ("b/job.inp", "2", "")]
+
+
 def test_R6_a_zip_of_one_mesh_opens(viewer: Page, tmp_path: Path) -> None:
     hexalab.write(grid(2, 2, 2), tmp_path / "single.mesh")
     with zipfile.ZipFile(tmp_path / "single.zip", "w", zipfile.ZIP_DEFLATED) as pack:

@@ -120,10 +120,10 @@ def test_Q4_dragging_over_the_histogram_keeps_a_band_and_its_lines_can_be_moved(
 
 
 def test_Q4_the_acceptable_range_does_not_run_through_the_largest_count(mesh: Page) -> None:
+    least = f"{hexalab.quality(MESH, 'warpage').min():.3f}"
     for bars in ("horizontal", "vertical"):
         ui.set_status(mesh, {"colour": {"metric": "warpage"}, "histogram": {"orientation": bars}})
-        values = hexalab.quality(MESH, "warpage")
-        ui.until(lambda: mesh.locator(".digest-line dd").first.inner_text() == f"{values.min():.3f}")
+        ui.until(lambda: mesh.locator(".digest-line dd").first.inner_text() == least)
         box = mesh.locator(".histogram .bracket").bounding_box()
         largest = mesh.locator(".histogram text").last.bounding_box()
         assert box and largest

@@ -121,9 +121,17 @@ def number(word: str) -> float:
         return float("nan")
 
 
+def decoded(line: bytes) -> str:
+    """The text of a line: UTF-8 as tools of today write it, else Latin-1."""
+    try:
+        return line.decode()
+    except UnicodeDecodeError:
+        return line.decode("latin-1")
+
+
 def keyword_of(line: bytes) -> Keyword:
     """The keyword that a line, or several joined by commas, hold."""
-    words = line.decode("latin-1").split(",")
+    words = decoded(line).split(",")
     name = "".join(words[0].split()).lstrip("*").upper()
     pairs = (word.partition("=") for word in words[1:])
     options = {"".join(key.split()).upper(): value.strip() for key, _, value in pairs if key.strip()}

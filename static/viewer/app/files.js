@@ -1,8 +1,8 @@
-import { meshesOf, settingsBeside } from "../batch/batch.js";
+import { meshesIn, meshesOf, originIn, settingsBeside } from "../batch/archive.js";
 import { CoreError, Superseded } from "../core/client.js";
+import { includedIn, wholes } from "../files/decks.js";
 import { readStatus } from "../files/png_text.js";
 import { readZip } from "../files/zip.js";
-import { edgesOf, isDeck, mainOf } from "./decks.js";
 import { parse } from "./documents.js";
 import { bytesOf, fromFile } from "./opening.js";
 
@@ -11,9 +11,9 @@ import { bytesOf, fromFile } from "./opening.js";
  *
  * @typedef {{ file: File, path: string }} Found
  * @typedef {import("../state/facts.js").MeshSummary} MeshSummary
- * @typedef {import("../files/zip.js").Entry} Entry
- * @typedef {import("./opening.js").Origin} Origin
  */
+
+/** @template {import("../files/decks.js").Named} Some @typedef {import("../files/decks.js").Whole<Some>} Whole */
 
 /**
  * Opens what was dropped or chosen together: settings and pictures that carry them apply to the mesh that comes with them;
@@ -31,49 +31,38 @@ export class Files {
   /** @param {readonly (File | Found)[]} given @returns {Promise<MeshSummary | null>} */
   async open(given) {
     const found = given.map((one) => (one instanceof File ? { file: one, path: one.name } : one));
-    const of = (/** @type {string} */ kind) => found.filter(({ file }) => kindOf(file) === kind);
+    const meshes = await wholes(found, this.#isMesh, ({ file, path }) => includedIn(file, path));
+    const parts = new Set(meshes.flatMap((one) => one.parts));
+    const of = (/** @type {string} */ kind) =>
+      found.filter((one) => kindOf(one.file) === kind && !parts.has(one));
     const layers = (
       await Promise.all([...of("status"), ...of("picture")].map((one) => this.#settingsIn(one)))
     ).flat();
     const [archive] = of("archive");
     if (archive) return this.#openArchive(archive.file, layers);
-    const candidates = this.#meshesAmong(of("mesh"), found.length);
-    const meshes = await mainOf(candidates.map((one) => ({ ...one, text: () => edgesOf(one.file) })));
-    if (meshes.length) return this.#openFirst(meshes, of("mesh"), layers);
+    const unnamed = of("mesh")
+      .slice(0, 1)
+      .map((mesh) => ({ mesh, parts: [] }));
+    const [first, ...others] = meshes.length ? meshes : unnamed; // without a known ending, it may be called anything
+    if (first) return this.#openFirst(first, others.length, layers);
     for (const layer of layers) await this.#applied(layer);
     return null;
   }
 
-  /** Files by whose ending they are meshes; where there is but one, it may be called anything. @param {Found[]} files @param {number} given how many came together */
-  #meshesAmong(files, given) {
-    if (given === 1) return files;
-    const known = files.filter(({ path }) => this.#isMesh(path));
-    return known.length ? known : files.slice(0, 1);
-  }
-
   /** @param {string} path */
-  #isMesh(path) {
-    return meshesOf([{ name: path }], this.#app.tables.formats).length > 0;
-  }
+  #isMesh = (path) => meshesOf([{ name: path }], this.#app.tables.formats).length > 0;
 
-  /** What a deck may include: all but meshes of other formats. @template {{ path: string }} Some @param {{ path: string }} main @param {Some[]} all @returns {Some[]} */
-  #companionsOf(main, all) {
-    if (!isDeck(main.path)) return [];
-    return all.filter(({ path }) => path !== main.path && (isDeck(path) || !this.#isMesh(path)));
-  }
-
-  /** @param {Found[]} meshes those that may be shown, the first of all first @param {Found[]} all @param {object[]} layers */
-  async #openFirst([main, ...others], all, layers) {
-    const beside = this.#companionsOf(main, all);
+  /** @param {Whole<Found>} first @param {number} others meshes that came with it @param {object[]} layers */
+  async #openFirst({ mesh, parts }, others, layers) {
     const summary = await this.#app.opening.open({
-      ...fromFile(main.file, main.path),
-      ...(beside.length ? { companions: () => contents(beside) } : {}),
+      ...fromFile(mesh.file, mesh.path),
+      ...(parts.length ? { companions: () => contents(parts) } : {}),
       ...(layers.length ? { status: laidOver(layers) } : {}),
     });
-    if (others.length)
+    if (others)
       this.#app.messages.say(
         "note",
-        `One mesh is shown at a time: ${main.path} was opened, ${others.length} more left out`,
+        `One mesh is shown at a time: ${mesh.path} was opened, ${others} more left out`,
         { topic: "drop" },
       );
     return summary;
@@ -84,17 +73,18 @@ export class Files {
     try {
       const buffer = await bytesOf(file);
       const entries = readZip(buffer);
-      const parts = entries.map((entry) => ({ ...entry, path: entry.name, text: () => textOf(entry) }));
-      const meshes = await mainOf(meshesOf(parts, this.#app.tables.formats));
-      if (!meshes.length) throw new Error("the archive holds no mesh");
-      if (meshes.length > 1) {
+      const [first, ...others] = await meshesIn(entries, this.#app.tables.formats);
+      if (!first) throw new Error("the archive holds no mesh");
+      if (others.length) {
         for (const layer of layers) await this.#applied(layer);
-        this.#app.facts.set({ archive: { name: file.name, buffer, count: meshes.length } });
+        this.#app.facts.set({ archive: { name: file.name, buffer, count: others.length + 1 } });
         return null;
       }
-      const [mesh] = meshes;
-      const all = [...(await settingsBeside(mesh, entries)), ...layers];
-      return await this.#app.opening.open(originIn(mesh, this.#companionsOf(mesh, parts), all));
+      const all = [...(await settingsBeside(first.mesh, entries)), ...layers];
+      return await this.#app.opening.open({
+        ...originIn(first),
+        ...(all.length ? { status: laidOver(/** @type {object[]} */ (all)) } : {}),
+      });
     } catch (error) {
       if (error instanceof Superseded || error instanceof CoreError) throw error;
       this.#app.messages.say("error", `${file.name}: ${error instanceof Error ? error.message : error}`, {
@@ -124,25 +114,6 @@ export class Files {
       return [];
     }
   }
-}
-
-/** The one mesh of an archive. @param {Entry} mesh @param {Entry[]} beside @param {unknown[]} layers @returns {Origin} */
-function originIn(mesh, beside, layers) {
-  const companions = async () =>
-    Object.fromEntries(
-      await Promise.all(beside.map(async ({ name, read }) => [name, (await read()).buffer])),
-    );
-  return {
-    name: beside.length ? mesh.name : (mesh.name.split("/").pop() ?? mesh.name),
-    bytes: async () => (await mesh.read()).buffer,
-    ...(layers.length ? { status: laidOver(/** @type {object[]} */ (layers)) } : {}),
-    ...(beside.length ? { companions } : {}),
-  };
-}
-
-/** @param {Entry} entry */
-async function textOf(entry) {
-  return new TextDecoder("latin1").decode(await entry.read());
 }
 
 /** @param {Found[]} files @returns {Promise<Record<string, ArrayBuffer>>} */

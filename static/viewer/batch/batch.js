@@ -1,6 +1,7 @@
 import { CoreError, Superseded } from "../core/client.js";
 import { stemOf } from "../files/names.js";
 import { readZip, writeZip } from "../files/zip.js";
+import { meshesIn, originIn, settingsBeside } from "./archive.js";
 
 /**
  * A zip of meshes in, a zip of pictures, histograms and measurements out (SPEC B1). Each is drawn under the defaults with
@@ -18,7 +19,7 @@ import { readZip, writeZip } from "../files/zip.js";
  * @property {Pick<import("../state/tables.js").Tables, "formats" | "metrics" | "statistics">} tables
  * @property {Pick<import("../state/facts.js").Facts, "get">} facts
  * @property {Pick<import("../core/client.js").CoreClient, "call">} client
- * @property {{ open: (origin: { name: string, bytes: () => Promise<ArrayBuffer>, layers: unknown[] }) => Promise<Summary> }} opening
+ * @property {{ open: (origin: import("./archive.js").EntryOrigin & { layers: unknown[] }) => Promise<Summary> }} opening
  * @property {{ replaceBy: (layers: readonly unknown[]) => Promise<void> }} documents
  * @property {{ drawn: () => Promise<void> }} drawing
  * @property {{ measured: () => Promise<void> }} measures
@@ -26,38 +27,12 @@ import { readZip, writeZip } from "../files/zip.js";
  * @property {{ picture: (size: { width?: number, height?: number }) => Promise<Blob>, histogram: (format: "png") => Promise<Blob | null> }} saving
  */
 
-/** @template {{ name: string }} Some @param {Some[]} entries @param {readonly { extensions: readonly string[] }[]} formats @returns {Some[]} the meshes among them */
-export function meshesOf(entries, formats) {
-  const extensions = formats.flatMap((format) => format.extensions);
-  return entries.filter(({ name }) => {
-    const file = name.split("/").pop() ?? "";
-    const plain = file.toLowerCase().replace(/\.gz$/, "");
-    return (
-      !file.startsWith(".") && !name.startsWith("__MACOSX/") && extensions.some((end) => plain.endsWith(end))
-    );
-  });
-}
-
 /** The stem, or with a number added if a mesh of the same stem has it: both have pictures. @param {string} stem @param {Set<string>} names taken ones, in lower case */
 function freeName(stem, names) {
   let free = stem;
   for (let number = 2; names.has(free.toLowerCase()); number++) free = `${stem}-${number}`;
   names.add(free.toLowerCase());
   return free;
-}
-
-/** The status beside a mesh, if there is one. @param {Entry} mesh @param {Entry[]} entries @returns {Promise<unknown[]>} */
-export async function settingsBeside(mesh, entries) {
-  const stem = stemOf(mesh.name);
-  const own = entries.find(({ name }) => name === `${stem}.json` || name === `${stem}.txt`);
-  if (!own) return [];
-  try {
-    return [JSON.parse(new TextDecoder().decode(await own.read()))];
-  } catch (cause) {
-    throw new Error(`${own.name}, beside it, holds no settings: ${/** @type {Error} */ (cause).message}`, {
-      cause,
-    });
-  }
 }
 
 /** The table as CSV (RFC 4180), all columns that any row has. @param {readonly Row[]} rows */
@@ -87,17 +62,17 @@ export class Batch {
    */
   async run(archive, { width, height, status, signal, report } = {}) {
     const entries = readZip(archive);
-    const meshes = meshesOf(entries, this.#host.tables.formats);
+    const meshes = await meshesIn(entries, this.#host.tables.formats);
     if (!meshes.length) throw new Error("the archive holds no mesh");
     const common = status ?? this.#host.store.status;
     const files = [];
     const rows = [];
     const names = new Set();
     try {
-      for (const [index, mesh] of meshes.entries()) {
+      for (const [index, whole] of meshes.entries()) {
         signal?.throwIfAborted();
-        report?.(index, meshes.length, mesh.name);
-        const { row, made } = await this.#one(mesh, entries, common, names, { width, height });
+        report?.(index, meshes.length, whole.mesh.name);
+        const { row, made } = await this.#one(whole, entries, common, names, { width, height });
         rows.push(row);
         files.push(...made);
       }
@@ -109,13 +84,13 @@ export class Batch {
     return writeZip(files);
   }
 
-  /** @param {Entry} mesh @param {Entry[]} entries @param {unknown} common @param {Set<string>} names taken ones @param {{ width?: number, height?: number }} size */
-  async #one(mesh, entries, common, names, size) {
+  /** @param {import("./archive.js").WholeEntry} whole @param {Entry[]} entries @param {unknown} common @param {Set<string>} names taken ones @param {{ width?: number, height?: number }} size */
+  async #one(whole, entries, common, names, size) {
+    const { mesh } = whole;
     const stem = freeName(stemOf(mesh.name), names);
     try {
       const layers = [common, ...(await settingsBeside(mesh, entries))];
-      const { buffer } = await mesh.read();
-      const summary = await this.#open(mesh.name, buffer, layers);
+      const summary = await this.#open(whole, layers);
       const made = [{ name: `${stem}.png`, bytes: await bytesOf(await this.#host.saving.picture(size)) }];
       await this.#host.measures.measured();
       const histogram = await this.#host.saving.histogram("png");
@@ -137,11 +112,10 @@ export class Batch {
     }
   }
 
-  /** @param {string} name @param {ArrayBuffer} bytes @param {unknown[]} layers */
-  async #open(name, bytes, layers) {
+  /** @param {import("./archive.js").WholeEntry} whole @param {unknown[]} layers */
+  async #open(whole, layers) {
     const { opening, drawing, messages } = this.#host;
-    const file = name.split("/").pop() ?? name;
-    const summary = await opening.open({ name: file, bytes: async () => bytes.slice(0), layers });
+    const summary = await opening.open({ ...originIn(whole), layers });
     messages.settle("offer");
     await drawing.drawn();
     return summary;

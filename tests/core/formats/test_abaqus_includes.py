@@ -43,6 +43,13 @@ def test_R5_an_included_file_stands_where_it_is_included(tmp_path: Path, line: s
     assert mesh.name == "main.inp" and mesh.notes == []
 
 
+@pytest.mark.parametrize("encoding", ["utf-8", "latin-1"])
+def test_R5_the_name_of_an_included_file_is_utf_8_or_latin_1(tmp_path: Path, encoding: str) -> None:
+    path = folder(tmp_path, größe__inp=MESH, main__inp="")
+    path.write_bytes(MAIN.replace("mesh.inp", "größe.inp").encode(encoding))
+    assert read(path).cell_count == 1
+
+
 def test_R5_lines_of_one_keyword_out_of_several_files(tmp_path: Path) -> None:
     rows = nodes().splitlines()
     main = f"{rows[0]}\n{rows[1]}\n*INCLUDE, INPUT=rows/a.txt\n{rows[5]}\n"

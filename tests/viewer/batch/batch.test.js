@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { meshesOf, toCsv } from "../../../static/viewer/batch/batch.js";
+import { meshesOf } from "../../../static/viewer/batch/archive.js";
+import { toCsv } from "../../../static/viewer/batch/batch.js";
 import { stemOf } from "../../../static/viewer/files/names.js";
 
 const FORMATS = [{ extensions: [".mesh"] }, { extensions: [".vtk"] }];
