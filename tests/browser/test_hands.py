@@ -73,6 +73,12 @@ def test_V8_a_number_box_refuses_visibly_and_escape_restores(mesh: Page) -> None
     box.fill("٠٫٥")
     box.press("Enter")
     assert box.input_value() == "0.500"
+    whole = mesh.get_by_label("Peel, value")
+    for typed, taken in (("0.37", "0"), ("1,4", "1")):
+        whole.fill(typed)
+        whole.press("Enter")
+        assert whole.input_value() == taken
+        assert ui.status(mesh)["filters"]["peel"]["depth"] == int(taken)
 
 
 def test_V6_a_change_of_the_pixel_ratio_alone_draws_anew(chromium: Browser, site: str) -> None:

@@ -7,7 +7,7 @@ import { h } from "./dom.js";
  *
  * @param {object} options
  * @param {string} options.label for screen readers
- * @param {number} [options.digits]
+ * @param {number} [options.digits] decimals that are shown; without any, whole numbers are taken
  * @param {() => readonly [number, number, number]} options.range lowest, highest, step; infinite ends are open
  * @param {(value: number | null) => void} options.write null when the box was emptied and `optional` is set
  * @param {boolean} [options.optional]
@@ -62,7 +62,7 @@ export function numberField({ label, digits = 3, range, write, optional = false 
       return;
     }
     const [low, high] = range();
-    const taken = value === null ? null : clamp(value, low, high);
+    const taken = value === null ? null : clamp(digits ? value : Math.round(value), low, high);
     element.value = typed(taken, digits);
     write(taken);
   }
