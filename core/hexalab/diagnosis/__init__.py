@@ -120,14 +120,14 @@ def _faces(mesh: Mesh) -> Iterator[Finding]:
     if faces.nonmanifold_count:
         cells = np.unique(faces.crowd_cells).astype(np.int32)
         many = faces.nonmanifold_count
-        words = f"{many} {'face is' if many == 1 else 'faces are'} shared by more than two cells."
+        words = f"{many:,} {'face is' if many == 1 else 'faces are'} shared by more than two cells."
         yield Finding("nonmanifold_faces", "error", words, many, cells)
     rows = _misfits(mesh)
     if len(rows):
         pairs = "pair of neighbours has" if len(rows) == 1 else "pairs of neighbours have"
         cells = np.unique(faces.cells[:, rows])
         yield Finding(
-            "opposite_orientation", "error", f"{len(rows)} {pairs} opposite orientation.", len(rows), cells
+            "opposite_orientation", "error", f"{len(rows):,} {pairs} opposite orientation.", len(rows), cells
         )
 
 
@@ -151,7 +151,7 @@ def _vertices(mesh: Mesh) -> Iterator[Finding]:
     """Vertices at one place, vertices that a cell has twice or no cell has."""
     double = coincident_vertices(mesh)
     if len(double):
-        words = f"{len(double)} vertices lie where another lies: cells around them are not joined."
+        words = f"{len(double):,} vertices lie where another lies: cells around them are not joined."
         yield Finding("coincident_vertices", "warning", words, len(double), vertices=double)
     repeating = _repeating(mesh)
     if len(repeating):
@@ -178,7 +178,7 @@ def _pieces(mesh: Mesh) -> Iterator[Finding]:
     if count > 1:
         labels = mesh.topology.components
         largest = np.bincount(labels).argmax()
-        words = f"The mesh falls into {count} parts that share no face; marked are all but the largest."
+        words = f"The mesh falls into {count:,} parts that share no face; marked are all but the largest."
         yield Finding("components", "note", words, count, _ids(labels != largest))
 
 
@@ -196,4 +196,4 @@ def _ids(mask: Array) -> Ids:
 
 
 def _some(ids: Ids, one: str, many: str) -> str:
-    return f"{len(ids)} {one if len(ids) == 1 else many}"
+    return f"{len(ids):,} {one if len(ids) == 1 else many}"

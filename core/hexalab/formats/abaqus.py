@@ -260,4 +260,4 @@ def plain(name: str) -> str:
 
 def counted(count: int, what: str) -> str:
     """A number of things, with the verb: "1 node has", "2 nodes have"."""
-    return f"{count} {what} has" if count == 1 else f"{count} {what}s have"
+    return f"{count:,} {what} has" if count == 1 else f"{count:,} {what}s have"

@@ -110,7 +110,7 @@ def model(scopes: list[Scope]) -> tuple[list[Scope], list[str]]:
     for name, part in parts.items():
         if name not in used and not part.empty:
             notes.append(
-                f"Part {part.name} is left out with its {part.cell_count} cells: it is not instanced."
+                f"Part {part.name} is left out with its {part.cell_count:,} cells: it is not instanced."
             )
     shown = []
     for scope in scopes:

@@ -136,7 +136,7 @@ class Assembly:
 
     def counts_left_out(self) -> str:
         """What is left out with its numbers: "lines (2), triangles (1)"."""
-        return ", ".join(f"{kind} ({count})" for kind, count in sorted(self.left_out.items()))
+        return ", ".join(f"{kind} ({count:,})" for kind, count in sorted(self.left_out.items()))
 
 
 def check_ids(block: CellBlock, vertex_count: int) -> None:

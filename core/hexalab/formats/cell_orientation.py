@@ -74,12 +74,12 @@ class Orientation:
         if broken > kept:
             way = "out of" if self.inwards else "into"
             out.note(
-                f"The normals of {self.faces} point {way} most cells ({broken} of {broken + kept}), against the "
+                f"The normals of {self.faces} point {way} most cells ({broken:,} of {broken + kept:,}), against the "
                 "format's convention: all cells were turned round."
             )
         if contrary:
             out.note(
-                f"Cells of which some {self.faces} are seen from inside and some from outside: {contrary}. They "
+                f"Cells of which some {self.faces} are seen from inside and some from outside: {contrary:,}. They "
                 "were taken not to be inverted."
             )
 

@@ -136,7 +136,7 @@ class Reader:
             )
         text.position = end + len(mark)
         self.out.note(
-            f"{quoted(word)[1:-1]} holds more than it announces, {len(surplus.split())} numbers: passed over."
+            f"{quoted(word)[1:-1]} holds more than it announces, {len(surplus.split()):,} numbers: passed over."
         )
 
     def note_skipped(self, word: bytes, content: bytes) -> None:

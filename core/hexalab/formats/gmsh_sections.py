@@ -45,7 +45,9 @@ class Lines:
             if stop.word != end or stop.found % width:
                 raise
             text.position = begin
-            self.out.note(f"{name} announces {count} nodes and has {stop.found // width}, which are read.")
+            self.out.note(
+                f"{name} announces {count:,} nodes and has {stop.found // width:,}, which are read."
+            )
             count = stop.found // width
             values = numbers.doubles(width * count, name)
         return values.reshape(count, width)
@@ -92,8 +94,8 @@ class Lines:
         """
         starts = row_starts(values, None, form, self.error_at, name)
         if len(starts) != count:
-            read = "which are read" if len(starts) < count else f"of which {count} are read"
-            self.out.note(f"{name} announces {count} elements and has {len(starts)}, {read}.")
+            read = "which are read" if len(starts) < count else f"of which {count:,} are read"
+            self.out.note(f"{name} announces {count:,} elements and has {len(starts):,}, {read}.")
         return starts[:count]
 
     @property

@@ -167,7 +167,7 @@ def renamed(out: Assembly, types: Array, eight: NDArray[np.bool_], number: int) 
     wrong = eight & (types == number)
     name = CELL_TYPES[number].name if number in CELL_TYPES else "an unknown type"
     out.note(
-        f"{int(wrong.sum())} cells have 8 corners but are declared as type {number} ({name}): "
+        f"{int(wrong.sum()):,} cells have 8 corners but are declared as type {number} ({name}): "
         "they are taken as hexahedra."
     )
     return np.where(wrong, HEXAHEDRON_TYPE, types)
@@ -217,7 +217,7 @@ def check_sizes(out: Assembly, rows: Rows, cell_type: CellType, number: int, whi
         first = int(sizes[np.argmax(odd)])
         out.note(
             f"Cells that are declared as type {number} ({cell_type.name}, {cell_type.size} nodes) and have another "
-            f"number of nodes ({first}): {count}. Their first {corners} are taken as the corners."
+            f"number of nodes ({first}): {count:,}. Their first {corners} are taken as the corners."
         )
     elif (sizes > corners).any():
         out.note(f"Cells of higher order ({cell_type.name}) are shown by their corners.")

@@ -12,9 +12,9 @@ from .assembly import Assembly, CellBlock, check_ids
 from .cell_orientation import signed_volumes
 
 DOUBTS = {
-    (13, 26): "All wedges of type 13 or 26 ({}) are inverted as VTK numbered wedges until 9.6. "
+    (13, 26): "All wedges of type 13 or 26 ({:,}) are inverted as VTK numbered wedges until 9.6. "
     "As VTK 9.7 and many programs (Gmsh, CGNS, Exodus) number them they are not.",
-    (31, 32, 73, 80): "All wedges of type 31, 32, 73 or 80 ({}) are inverted as VTK numbers these types. "
+    (31, 32, 73, 80): "All wedges of type 31, 32, 73 or 80 ({:,}) are inverted as VTK numbers these types. "
     "As VTK numbered those of type 13 until 9.6, and some programs (MFEM) these too, they are not.",
 }
 """Types of wedges that are numbered alike, and what is told where all of them are inverted.
