@@ -44,7 +44,8 @@ def _candidates(faces: Faces) -> Array:
         if not len(alike):
             break
     nowhere = np.flatnonzero(first == NOWHERE)  # rare, so that all of these are looked at
-    return np.unique(np.concatenate([faces.crowd_cells.astype(np.intp), alike, nowhere]))
+    candidates: Array = np.unique(np.concatenate([faces.crowd_cells.astype(np.intp), alike, nowhere]))
+    return candidates
 
 
 NOWHERE = -2
@@ -86,7 +87,8 @@ def _face_ids(corners: Ids) -> Array:
 
 def _order(columns: Array, *last: Array) -> Array:
     """Order of columns in which equal ones stand together."""
-    return np.lexsort((*last, *columns))
+    order: Array = np.lexsort((*last, *columns))
+    return order
 
 
 def _as_before(columns: Array, order: Array) -> Array:
