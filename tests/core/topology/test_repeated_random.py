@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
+from hypothesis import example, given
 from numpy.typing import NDArray
 
+from tests.core.topology.brute_force import FACES
 from tests.core.topology.checks import topology
-
-hypothesis = pytest.importorskip("hypothesis", reason="hypothesis is not installed")
-from tests.core.topology.brute_force import FACES  # noqa: E402
-from tests.core.topology.strategies import meshes  # noqa: E402
+from tests.core.topology.strategies import meshes
 
 
 def faces_of(row: list[int]) -> list[frozenset[int]]:
@@ -19,11 +17,10 @@ def faces_of(row: list[int]) -> list[frozenset[int]]:
     return [face for face in faces if len(face) >= 3]
 
 
-@pytest.mark.hypothesis
-@hypothesis.given(meshes)
-@hypothesis.example(np.array([[1, 1, 0, 0, 0, 0, 0, 0]], np.int32))
-@hypothesis.example(np.array([[1, 1, 0, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0, 0, 0]], np.int32))
-@hypothesis.example(np.empty((0, 8), np.int32))
+@given(meshes)
+@example(np.array([[1, 1, 0, 0, 0, 0, 0, 0]], np.int32))
+@example(np.array([[1, 1, 0, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0, 0, 0]], np.int32))
+@example(np.empty((0, 8), np.int32))
 def test_R9_cells_repeat_another_if_vertices_and_faces_are_the_same(cells: NDArray[np.int32]) -> None:
     """Of folded cells, which have a face several times, not all are looked at; none is called so that is not."""
     t = topology(cells)
