@@ -1,6 +1,6 @@
 """`make bench`: every figure of the specification that a machine can print, in a few minutes.
 
-python -m benchmarks [native] [browser] [lighting]
+python -m benchmarks [native] [archives] [browser] [lighting]
 """
 
 from __future__ import annotations
@@ -10,9 +10,9 @@ import platform
 import sys
 from pathlib import Path
 
-from . import browser, lighting, native
+from . import archives, browser, lighting, native
 
-PARTS = {"native": native.run, "browser": browser.run, "lighting": lighting.run}
+PARTS = {"native": native.run, "archives": archives.run, "browser": browser.run, "lighting": lighting.run}
 FOLDER = Path("build/bench")
 
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
+from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -12,16 +14,18 @@ import vtk
 
 import hexalab
 from hexalab.filters.stack import FilterStack
+from hexalab.formats import WRITERS, write_bytes
 from hexalab.quality import METRICS
 from hexalab.quality.validity import certify
 from hexalab.session import Session
+from hexalab.topology.repeats import repeated_cells
 
 from .clock import median_ms, table
 from .grids import PICKED, SIZES, grid_file
 
 STEPS = (
     "faces", "edges", "depth", "scaled Jacobian", "all metrics", "validity", "filter", "slice",
-    "slice, picked", "fissure", "rounded",
+    "slice, picked", "fissure", "rounded", "repeats", "one value",
 )  # fmt: skip
 
 
@@ -37,6 +41,21 @@ def run(folder: Path) -> None:
         ["mesh", *STEPS],
         [[name, *_step_times(name, folder)] for name in SIZES],
     )
+    grids = [hexalab.read(grid_file(name, ".mesh", folder)) for name in SIZES]
+    table(
+        "native: each metric of all cells [ms]",
+        ["metric", *SIZES],
+        [[metric, *_metric_times(grids, metric)] for metric in METRICS],
+    )
+    table(
+        "native: write a file, into memory [ms]",
+        ["format", *SIZES],
+        [[row.id, *(median_ms(partial(write_bytes, mesh, row.id), 1) for mesh in grids)] for row in WRITERS],
+    )
+
+
+def _metric_times(grids: list[hexalab.Mesh], metric: str) -> list[float]:
+    return [median_ms(partial(hexalab.quality, mesh, metric)) for mesh in grids]
 
 
 def _reading(name: str, suffix: str, folder: Path) -> list[object]:
@@ -62,6 +81,8 @@ def _steps(path: Path, mesh: hexalab.Mesh, session: Session) -> dict[str, Callab
 
     stack = FilterStack(mesh, lambda quantity: hexalab.quality(mesh, quantity))
     offsets = iter(np.tile(np.linspace(0.3, 0.7, 41), 50))
+    pointed = count(mesh.cell_count // 2)
+    faces = mesh.topology.faces
 
     def plane(offset: float) -> dict[str, Any]:
         return {"filters": {"planes": {"items": [{"enabled": True, "normal": [1, 0, 0], "offset": offset}]}}}
@@ -89,6 +110,8 @@ def _steps(path: Path, mesh: hexalab.Mesh, session: Session) -> dict[str, Callab
         "slice, picked": lambda: picked.update(plane(float(next(offsets)))),
         "fissure": separation("fissure"),
         "rounded": separation("rounded"),
+        "repeats": lambda: repeated_cells(mesh.corners, faces),
+        "one value": lambda: session.value(next(pointed), "shape_and_size"),
     }
 
 
@@ -97,7 +120,9 @@ def _step_times(name: str, folder: Path) -> list[float]:
     mesh, session = hexalab.read(path), Session()
     session.open(path.name, path.read_bytes())
     session.update({})
-    runs = {"filter": 21, "slice": 21, "slice, picked": 21}
+    while not session.measure_sizes():
+        pass
+    runs = {"filter": 21, "slice": 21, "slice, picked": 21, "one value": 21}
     return [
         median_ms(step, runs.get(label, 1 if name == "1M" else 3))
         for label, step in _steps(path, mesh, session).items()
