@@ -42,6 +42,8 @@ def test_the_page_tells_what_the_row_says(opened: Page, name: str) -> None:
     )
     assert volume["mean"] * summary["cells"] == pytest.approx(row.volume)
     assert_told(row, scaled_jacobian, summary["findings"])
+    words = [finding["message"] for finding in summary["findings"]]
+    ui.until(lambda: opened.locator(".finding-text:visible").all_inner_texts() == words)
     for array, least, greatest in row.attributes:
         told = opened.evaluate("id => window.hexalab.quality(id)", f"cell:{array}")
         assert (told["min"], told["max"]) == (least, greatest)

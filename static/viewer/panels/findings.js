@@ -7,8 +7,8 @@ import { watch } from "../widgets/bind.js";
 const SEVERITY_MARKS = { error: "✕", warning: "!", note: "i" };
 
 /**
- * What the diagnosis found (SPEC R9), a line for each, with a button that isolates the cells concerned. Notes that
- * concern no cells stand with the facts of the mesh.
+ * What the diagnosis found (SPEC R9), a line for each, with a button that isolates the cells concerned; and what was
+ * noted while the file was read, so that nothing is guessed or left out in silence.
  *
  * @param {Context} context
  */
@@ -16,9 +16,8 @@ export function findings(context) {
   const list = h("ul", { class: "findings", "aria-label": "Findings of the diagnosis" });
   watch(context, { facts: ["description"] }, () => {
     const found = context.facts.get("description")?.findings ?? [];
-    const all = found.filter(({ severity, has_cells }) => has_cells || severity !== "note");
-    list.hidden = !all.length;
-    list.replaceChildren(...all.map((finding) => line(context, finding)));
+    list.hidden = !found.length;
+    list.replaceChildren(...found.map((finding) => line(context, finding)));
   });
   return list;
 }

@@ -47,8 +47,6 @@ export function meshFacts(context) {
     const summary = context.facts.get("summary");
     const rows = summary ? rowsOf(summary, context.facts.get("description")) : [];
     element.replaceChildren(...rows.flatMap(([name, value]) => [h("dt", {}, name), h("dd", {}, value)]));
-    const notes = summary?.notes ?? [];
-    if (notes.length) element.append(h("dt", {}, "Notes"), h("dd", { class: "prose" }, notes.join(" ")));
   });
   return element;
 }
