@@ -133,7 +133,7 @@ def test_Q4_the_acceptable_range_does_not_run_through_the_largest_count(mesh: Pa
 def test_Q8_the_variant_of_a_metric_stands_below_its_name(mesh: Page) -> None:
     ui.set_status(mesh, {"colour": {"metric": "scaled_jacobian"}})
     ui.until(lambda: mesh.locator(".variant").inner_text() == "with the centre")
-    name, variant = mesh.locator("#metric").bounding_box(), mesh.locator(".variant p").bounding_box()
+    name, variant = mesh.locator("#metric").bounding_box(), mesh.locator(".variant").bounding_box()
     assert name and variant
     assert variant["x"] == name["x"]
     ui.set_status(mesh, {"colour": {"metric": "stretch"}})

@@ -93,11 +93,10 @@ const WATCHED = { status: ["colour"], facts: ["statistics", "summary"] };
 
 /** Which of the metrics it is that go by its name. @param {Context} context */
 function variant(context) {
-  const text = h("p", { class: "quiet" });
-  const element = h("div", { class: "row row-wide variant" }, h("span"), text);
+  const element = h("p", { class: "variant quiet" });
   watch(context, WATCHED, () => {
-    text.textContent = quantityOf(context).variant;
-    element.hidden = !text.textContent;
+    element.textContent = quantityOf(context).variant;
+    element.hidden = !element.textContent;
   });
   return element;
 }
