@@ -9,7 +9,7 @@ from pathlib import Path
 from .. import WRITERS, write
 from ..diagnosis import all_inverted, turn_round
 from ..formats import read, writer_of
-from .tables import count
+from .tables import counted
 
 
 def configure(parser: ArgumentParser) -> None:
@@ -48,5 +48,5 @@ def run(arguments: Namespace) -> int:
     lost = write(mesh, arguments.target, arguments.format)
     for note in notes + lost:
         print(f"hexalab: {arguments.source}: {note}", file=sys.stderr)
-    print(f"{arguments.target}: {count(mesh.cell_count)} cells, {count(mesh.vertex_count)} vertices")
+    print(f"{arguments.target}: {counted(mesh.cell_count, 'cell')}, {counted(mesh.vertex_count, 'vertex')}")
     return 0

@@ -12,7 +12,7 @@ from .. import FORMATS, METRICS, MeshReadError, certify, read, summarise
 from ..diagnosis import TURNED
 from ..mesh import Mesh
 from . import FINDING, MISUSE, complain
-from .tables import count, quality_table
+from .tables import count, counted, quality_table
 
 LAYERS_SHOWN = 12
 
@@ -59,7 +59,7 @@ def has_invalid_cell(mesh: Mesh) -> bool:
 def described(facts: dict[str, Any]) -> str:
     """Lay out the facts for reading."""
     kinds, names = facts["kinds"], {row.id: row.name for row in FORMATS}
-    parts = ", ".join(f"{count(number)} {plural(kind, number)}" for kind, number in kinds.items())
+    parts = ", ".join(counted(number, kind) for kind, number in kinds.items())
     rows = [
         ("format", names.get(facts["format"], facts["format"])),
         ("vertices", count(facts["vertices"]) + also(facts["unreferenced_vertices"], "unreferenced")),
@@ -81,13 +81,6 @@ def described(facts: dict[str, Any]) -> str:
     lines += [f"  finding: {finding['message']}" for finding in facts["findings"]]
     metrics = {metric.id: metric.name for metric in METRICS.values()}
     return "\n".join([*lines, "", quality_table(facts["quality"], metrics)])
-
-
-def plural(kind: str, number: int) -> str:
-    """Name one or several cells of a kind."""
-    if number == 1:
-        return kind
-    return kind[: -len("on")] + "a" if kind.endswith("hedron") else kind + "s"
 
 
 def also(number: int, what: str) -> str:

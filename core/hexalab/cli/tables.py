@@ -8,6 +8,7 @@ from typing import Any
 SMALLEST_PLAIN = 0.0005
 LARGEST_PLAIN = 1e6
 NOTHING = "-"
+PLURALS = (("hedron", "hedra"), ("vertex", "vertices"))
 
 
 def number(value: float | None) -> str:
@@ -22,6 +23,13 @@ def number(value: float | None) -> str:
 def count(value: int | None) -> str:
     """Write a count with its thousands apart."""
     return NOTHING if value is None else f"{value:,}"
+
+
+def counted(value: int, noun: str) -> str:
+    """Write a count and what is counted: "1 cell", "2 vertices", "1,000 hexahedra"."""
+    if value != 1:
+        noun = next((noun[: -len(one)] + many for one, many in PLURALS if noun.endswith(one)), f"{noun}s")
+    return f"{count(value)} {noun}"
 
 
 def table(rows: Sequence[Sequence[str]], indent: int = 2) -> str:

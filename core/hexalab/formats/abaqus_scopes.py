@@ -109,9 +109,8 @@ def model(scopes: list[Scope]) -> tuple[list[Scope], list[str]]:
     used = {instance.part.upper() for instance in instances}
     for name, part in parts.items():
         if name not in used and not part.empty:
-            notes.append(
-                f"Part {part.name} is left out with its {part.cell_count:,} cells: it is not instanced."
-            )
+            cells = "its cell" if part.cell_count == 1 else f"its {part.cell_count:,} cells"
+            notes.append(f"Part {part.name} is left out with {cells}: it is not instanced.")
     shown = []
     for scope in scopes:
         if scope.kind == INSTANCE:

@@ -181,8 +181,9 @@ def test_R9_what_reading_assumed_is_told_when_converting(
 ) -> None:
     path = tmp_path / "inverted.mesh"
     path.write_bytes(grid(1, 1, 1, inverted=True))
-    code, _, err = run("convert", path, tmp_path / "out.vtk")
+    code, out, err = run("convert", path, tmp_path / "out.vtk")
     assert code == 0
+    assert out.endswith(": 1 cell, 8 vertices\n")
     assert "--orient turns the mesh round" in err
     assert read(tmp_path / "out.vtk").notes == [TURNED]
     code, _, err = run("convert", "--orient", path, tmp_path / "out.vtk")

@@ -85,7 +85,7 @@ def test_R5_a_part_without_instance_is_left_out_and_said() -> None:
     text = assembly(instance("one")).replace(b"*Assembly", other.encode() + b"*Assembly")
     mesh = read_bytes(text, "x.inp")
     np.testing.assert_array_equal(points_of_cells(mesh), [CUBE])
-    assert mesh.notes == ["Part Tool is left out with its 1 cells: it is not instanced."]
+    assert mesh.notes == ["Part Tool is left out with its cell: it is not instanced."]
 
 
 def test_R5_an_instance_may_add_to_its_part() -> None:
