@@ -23,6 +23,7 @@ from .pages.styles import style_sheets
 from .pages.words import file_size
 from .pictures import Album, png_size, take_missing
 from .pictures.collection import Collection
+from .pictures.portrait import portrait
 from .pictures.thumbnails import Thumbnails
 from .reading.repository import read_repository
 
@@ -192,7 +193,7 @@ def _add_meshes(
             if mesh.local is None or not mesh.local.is_file():
                 continue
             mesh.facts = measurer.facts(mesh.local)
-            preview = measurer.preview(mesh.local, mesh.facts)
+            preview = measurer.preview(mesh.local, mesh.facts, portrait(mesh.facts))
         except (HexaLabError, MakingError) as error:
             catalogue.problems.append(problem_of(mesh, str(error)))
             continue

@@ -165,12 +165,7 @@ class Mesh:
     @property
     def diagonal(self) -> float:
         """Length of the extent's diagonal; 1 if the mesh is a single point."""
-        low, high = self.extent
-        with np.errstate(over="ignore"):
-            sides = high - low
-            squared = float((sides * sides).sum())
-            within = 1e-300 < squared < 1e300
-            return (float(np.sqrt(squared)) if within else float(np.hypot.reduce(sides))) or 1.0
+        return diagonal_of(*self.extent)
 
     @cached_property
     def within_reach(self) -> tuple[Mesh, int]:
@@ -197,6 +192,15 @@ class Mesh:
     def topology(self) -> Topology:
         """Faces, edges, adjacency: computed at first use, part by part, and kept."""
         return Topology(self.corners, self.vertex_count)
+
+
+def diagonal_of(low: Floats, high: Floats) -> float:
+    """Length of the diagonal of a box from its corners (3,); 1 for a single point."""
+    with np.errstate(over="ignore"):
+        sides = high - low
+        squared = float((sides * sides).sum())
+        within = 1e-300 < squared < 1e300
+        return (float(np.sqrt(squared)) if within else float(np.hypot.reduce(sides))) or 1.0
 
 
 def shape_of(values: Array) -> str:

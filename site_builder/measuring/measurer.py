@@ -16,6 +16,7 @@ from hexalab.formats import read_bytes
 from hexalab.quality import histogram, quality
 from hexalab.quality.validity import certify
 from hexalab.session import Session
+from hexalab.session.opened import Opened
 from hexalab.summary import summarise
 
 from ..model.facts import Binned, Facts, Validity
@@ -47,7 +48,7 @@ class Measurer:
             The file isn't a mesh that can be read.
         """
         data = file.read_bytes()
-        kept = self._kept(hashlib.sha256(data).hexdigest(), "facts.json")
+        kept = self._kept(hashlib.sha256(data).hexdigest()[:32], "facts.json")
         if kept.exists():
             return Facts.from_dict(json.loads(kept.read_text("utf-8")))
         facts = measure(data, file.name)
@@ -56,23 +57,25 @@ class Measurer:
         self.measured += 1
         return facts
 
-    def preview(self, file: Path, facts: Facts) -> bytes:
-        """What the viewer draws of a mesh before Python has started: its surface under the default status."""
-        kept = self._kept(str(facts.sha256), "preview")
+    def preview(self, file: Path, facts: Facts, status: dict[str, Any]) -> bytes:
+        """What the viewer draws of a mesh before Python has started, under a partial status."""
+        shown = hashlib.sha256(json.dumps(status, sort_keys=True).encode()).hexdigest()[:8]
+        kept = self._kept(f"{str(facts.sha256)[:32]}-{shown}", "preview")
         if not kept.exists():
             session = Session()
             session.open(file.name, file.read_bytes())
             kept.parent.mkdir(parents=True, exist_ok=True)
-            kept.write_bytes(session.preview())
+            kept.write_bytes(session.preview(status))
         return kept.read_bytes()
 
-    def _kept(self, sha256: str, what: str) -> Path:
-        return self._cache / what.split(".")[0] / f"{sha256[:32]}-{self._version}.{what}"
+    def _kept(self, key: str, what: str) -> Path:
+        return self._cache / what.split(".")[0] / f"{key}-{self._version}.{what}"
 
 
 def measure(data: bytes, name: str) -> Facts:
     """The facts of a mesh file's bytes."""
     mesh = turn_round(read_bytes(data, name))
+    placed = Opened(mesh).placed
     summary = summarise(mesh)
     jacobian = quality(mesh, "scaled_jacobian")
     finite = jacobian[np.isfinite(jacobian)]
@@ -85,7 +88,8 @@ def measure(data: bytes, name: str) -> Facts:
         sj_max=jacobians["max"],
         sj_not_positive=int(np.count_nonzero(finite <= 0)),
         sj_not_finite=jacobians["not_finite"],
-        extent=[[float(number) for number in corner] for corner in mesh.extent],
+        extent=placed["extent"],
+        view=placed["view"],
         validity=_validity(mesh),
         histogram=_histogram(finite),
         notes=list(mesh.notes),

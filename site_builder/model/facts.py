@@ -53,6 +53,14 @@ class Finding(TypedDict):
     message: str
 
 
+class Looked(TypedDict):
+    """Where a mesh is looked at from, and the normal of a plane that faces the eye (`hexalab.status.views.View`)."""
+
+    direction: tuple[float, float, float]
+    up: tuple[float, float, float]
+    facing: tuple[float, float, float]
+
+
 class Validity(TypedDict):
     """Cells by what could be certified of their Jacobian."""
 
@@ -99,6 +107,7 @@ class Facts:
     cells_repeating_a_vertex: int | None = None
     components: int | None = None
     extent: list[list[float]] | None = None
+    view: Looked | None = None
     cells_per_depth: list[int] | None = None
     interior_edge_valence: Counts | None = None
     boundary_edge_valence: Counts | None = None

@@ -7,6 +7,7 @@ from typing import Any, NotRequired, TypedDict
 from xml.sax.saxutils import escape
 
 from ..model.catalogue import Catalogue, MeshEntry, Source
+from ..pictures.portrait import portrait
 from .facets import FACETS, codes
 from .metadata import LICENCES
 
@@ -25,6 +26,8 @@ class MeshRow(TypedDict):
         Whether the file lies elsewhere on the web.
     preview : str
         Address of what is drawn before Python has started, where there is one.
+    view : dict
+        Partial status of the mesh's portrait, where it has been measured: the viewer opens with it.
     """
 
     slug: str
@@ -35,6 +38,7 @@ class MeshRow(TypedDict):
     bytes: int | None
     sha256: str | None
     preview: NotRequired[str]
+    view: NotRequired[dict[str, Any]]
 
 
 class SourceRow(TypedDict):
@@ -89,6 +93,8 @@ def _row_for_viewer(mesh: MeshEntry, previews: set[str]) -> MeshRow:
     }
     if mesh.preview_address in previews:
         row["preview"] = mesh.preview_address
+    if mesh.facts.view:
+        row["view"] = portrait(mesh.facts)
     return row
 
 

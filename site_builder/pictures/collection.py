@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from ..model.catalogue import Catalogue, MeshEntry
 from .gallery import SECTIONS
 from .guide import FIGURES
+from .portrait import view_of
 from .recipe import Recipe
 from .shot import Shot, Status
-from .views import three_quarter_view
 
 
 @dataclass(frozen=True)
@@ -93,6 +93,5 @@ def _figures(recipes: Mapping[str, Recipe], prefix: str, here: Mapping[str, Mesh
 
 
 def _shot(recipe: Recipe, mesh: MeshEntry) -> Shot:
-    view, normal = three_quarter_view(mesh.facts.extent or [[-1, -1, -1], [1, 1, 1]])
-    status = recipe.status(view, normal)
+    status = recipe.status(view_of(mesh.facts))
     return Shot(mesh, status, part=recipe.part, press=recipe.press)

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from hexalab.status.views import View, three_quarters
+
 from ..model.facts import Facts
 from .shot import Status
-from .views import along, cut, three_quarter_view
 
 FEW, MANY = 1_600, 20_000
 """Cells up to which each is drawn with rounded edges, and from which on with thin lines."""
+
+HALF = 0.5
 
 BAD_CELLS: Status = {
     "quality": {"items": [{"quantity": "scaled_jacobian", "keep": "inside", "maximum": 0.3}]}
@@ -26,18 +29,26 @@ def portrait(facts: Facts) -> Status:
     cells the picture shows these and the next worst, coloured by the Scaled Jacobian.
     """
     cells, found = facts.cells or 0, {finding["id"] for finding in facts.findings or ()}
-    view, normal = three_quarter_view(facts.extent or [[-1, -1, -1], [1, 1, 1]])
-    status: Status = {"camera": view, "separation": separation(cells)}
+    view = view_of(facts)
+    status: Status = {"camera": view.camera, "separation": separation(cells), "filters": view.slice(0)}
     if found:
         status["irregular"] = {"mode": 0}
     if len(facts.kinds or ()) > 1:
         status["colour"] = {"by": "kind"}
     elif facts.sj_not_positive or "degenerate_cells" in found:
         edges = {"mode": "darkness_coded_edges"}
-        return status | {"filters": BAD_CELLS, "colour": JACOBIAN, "separation": edges}
+        return status | {"filters": view.slice(0) | BAD_CELLS, "colour": JACOBIAN, "separation": edges}
     if worth_cutting(cells, found):
-        status["filters"] = cut(normal if cells <= MANY else along(normal))
+        status["filters"] = view.slice(HALF)
     return status
+
+
+def view_of(facts: Facts) -> View:
+    """Where a mesh is looked at from: as it was measured, or as its extent asks for."""
+    if facts.view:
+        return View(facts.view["direction"], facts.view["up"], facts.view["facing"])
+    low, high = facts.extent or [[-1, -1, -1], [1, 1, 1]]
+    return three_quarters([b - a for a, b in zip(low, high, strict=True)], facts.cells or 0)
 
 
 def worth_cutting(cells: int, found: set[str]) -> bool:

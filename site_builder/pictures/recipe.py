@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from hexalab.status import merge
+from hexalab.status.views import View
 
 from .shot import Status
-from .views import Vector, cut
 
 
 @dataclass(frozen=True)
@@ -38,9 +38,7 @@ class Recipe:
     part: str = ""
     press: str = ""
 
-    def status(self, view: Status, normal: Vector) -> Status:
+    def status(self, view: View) -> Status:
         """The whole partial status, for the mesh's three-quarter view."""
-        base: Status = {"camera": view}
-        if self.offset:
-            base["filters"] = cut(normal, self.offset)
+        base: Status = {"camera": view.camera, "filters": view.slice(self.offset)}
         return merge(merge(base, self.setting), self.settings)

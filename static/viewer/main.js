@@ -49,7 +49,7 @@ function makeScene() {
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);
     return {
-      scene: new BlankScene(),
+      scene: new BlankScene(store.status.camera),
       lack: `This browser can't draw the mesh (WebGL 2: ${reason}); its tables are here all the same`,
     };
   }

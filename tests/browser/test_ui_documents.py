@@ -157,7 +157,7 @@ def test_V9_of_two_drops_at_once_the_last_one_stands(mesh: Page, shelf: Path) ->
 
 
 def test_R10_a_good_file_overtaken_by_a_bad_one_leaves_the_open_mesh(mesh: Page, shelf: Path) -> None:
-    before = ui.status(mesh)["mesh"]
+    before = ui.until(lambda: ui.status(mesh)["mesh"]["sha256"] and ui.status(mesh)["mesh"])
     hexalab.write(grid(9, 9, 9), shelf / "first.mesh")
     asked = mesh.evaluate(
         """async ([good, bad]) => {
@@ -187,7 +187,11 @@ def test_V9_zero_cells_shown_and_a_mesh_of_one_cell(mesh: Page, site: str, shelf
     assert ui.drawn(mesh) == (0, 0)
     assert "no cell shown of 64" in mesh.locator("#status-line").inner_text()
     ui.open_mesh(mesh, site, shelf, grid(1, 1, 1), "one.mesh")
+    assert "The view of the mesh before was kept" in ui.messages(mesh)
+    mesh.get_by_role("button", name="reset", exact=True).click()
+    ui.until(lambda: ui.shown(mesh) == 1)
     assert ui.drawn(mesh) == (1, 6)
+    assert ui.messages(mesh) == ""
     assert "1 of 1 cell shown" in mesh.locator("#status-line").inner_text()
 
 

@@ -126,8 +126,9 @@ def test_F1_typed_normal_several_planes_and_the_rule(mesh: Page) -> None:
     ui.unfold(mesh)
     mesh.get_by_label("Slice, value").fill("0.3")
     mesh.get_by_label("Slice, value").press("Enter")
-    mesh.get_by_label("Normal, y").fill("1")
-    mesh.get_by_label("Normal, y").press("Enter")
+    for axis, part in zip("xyz", "110", strict=True):
+        mesh.get_by_label(f"Normal, {axis}").fill(part)
+        mesh.get_by_label(f"Normal, {axis}").press("Enter")
     mesh.get_by_role("button", name="Add a plane").click()
     mesh.get_by_label("Slice, value").fill("0.5")
     mesh.get_by_label("Slice, value").press("Enter")

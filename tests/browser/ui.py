@@ -33,8 +33,8 @@ def reset(page: Page) -> None:
     """Take back what a test did to the settings."""
     page.keyboard.press("Escape")
     page.mouse.move(2, 2)
-    tables = page.evaluate("() => JSON.parse(document.getElementById('core-tables').textContent)")
-    set_status(page, {**tables["defaults"], "lighting": {"mode": "direct"}})
+    page.evaluate("() => window.hexalab.reset()")
+    set_status(page, {"lighting": {"mode": "direct"}})
 
 
 def until(question: Callable[[], Any], seconds: float = 20) -> Any:

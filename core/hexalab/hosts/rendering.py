@@ -35,8 +35,7 @@ PATIENCE = 600_000
 SHOW = """async ({ address, name, status }) => {
   const hexalab = window.hexalab;
   try {
-    const { mesh, ...defaults } = JSON.parse(document.getElementById("core-tables").textContent).defaults;
-    await hexalab.setStatus(defaults); // of the settings of the picture before nothing stays
+    await hexalab.reset(); // of the settings of the picture before nothing stays
     if (address) await hexalab.open(new File([await (await fetch(address)).blob()], name));
     else await hexalab.open(name);
     const rejections = status ? await hexalab.setStatus(status) : [];

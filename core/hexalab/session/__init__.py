@@ -94,9 +94,7 @@ class Session:
             "cells": mesh.cell_count,
             "kinds": mesh.kind_counts,
             "boundary_faces": faces,
-            "extent": mesh.extent.tolist(),
-            "centre": mesh.centre.tolist(),
-            "diagonal": mesh.diagonal,
+            **opened.placed,
             "notes": list(mesh.notes),
             "attributes": attributes.described(mesh),
         }
@@ -203,17 +201,29 @@ class Session:
         self._settings = settings
         return answer
 
-    def preview(self) -> bytes:
-        """Pack summary and first picture into one block of bytes: what the catalogue shows before Python runs."""
+    def preview(self, settings: Result | None = None) -> bytes:
+        """Pack summary and first picture into one block of bytes: what the catalogue shows before Python runs.
+
+        Parameters
+        ----------
+        settings : dict, optional
+            A checked part of a status: what it is drawn under, where that is not the default.
+        """
         opened = self._open_mesh()
+        opened.described("edges")
         picture = Picture(opened)
-        records = picture.update(SETTINGS)
+        whole = documents.merge(documents.DEFAULTS, settings or {})
+        records = picture.update(documents.core_part(whole))
         mesh = opened.mesh
-        frame = {"extent": mesh.extent.tolist(), "centre": mesh.centre.tolist(), "diagonal": mesh.diagonal}
-        summary = {"name": mesh.name, "cells": mesh.cell_count, "vertices": mesh.vertex_count, **frame}
-        counts = {"shown_cells": mesh.cell_count, "shown_faces": picture.shown_faces()}
-        names = ("surface", "silhouette", "colour")
-        return pack({"summary": summary, **counts, **{name: records[name] for name in names}})
+        summary = {
+            "name": mesh.name,
+            "cells": mesh.cell_count,
+            "vertices": mesh.vertex_count,
+            **opened.placed,
+        }
+        shown = {"shown_cells": int(np.count_nonzero(picture.shown)), "shown_faces": picture.shown_faces()}
+        names = [name for name in ("surface", "silhouette", "irregular", "colour") if name in records]
+        return pack({"summary": summary, **shown, **{name: records[name] for name in names}})
 
     # -- quality
 
@@ -257,7 +267,7 @@ class Session:
 
     def cell_view(self, cell: int) -> Result:
         """Return a cell's centre and size in drawing coordinates."""
-        return inspection.where(self._open_mesh().mesh, self._cell(cell))
+        return inspection.where(self._open_mesh(), self._cell(cell))
 
     def neighbour(self, face_tag: int) -> int:
         """Return the cell behind a face (cell times 8 plus local face), -1 outside."""

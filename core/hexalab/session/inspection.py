@@ -126,12 +126,13 @@ def cell_attributes(mesh: Mesh, cell: int) -> dict[str, Any]:
     return found
 
 
-def where(mesh: Mesh, cell: int) -> dict[str, Any]:
-    """Return a cell's centre and size in drawing coordinates: diagonals of the mesh from its centre."""
+def where(opened: Opened, cell: int) -> dict[str, Any]:
+    """Return a cell's centre and size in drawing coordinates."""
+    mesh, frame = opened.mesh, opened.drawn_mesh.frame
     own = mesh.coordinates[:, mesh.corners[:, cell]]
     low, high = own.min(axis=1), own.max(axis=1)
-    centre = (low / 2 + high / 2 - mesh.centre) / mesh.diagonal
-    return {"centre": centre.tolist(), "size": float(np.sqrt(((high - low) ** 2).sum())) / mesh.diagonal}
+    centre = (low / 2 + high / 2 - frame.centre) / frame.diagonal
+    return {"centre": centre.tolist(), "size": float(np.sqrt(((high - low) ** 2).sum())) / frame.diagonal}
 
 
 def cells_of(mesh: Mesh, finding: Finding) -> NDArray[np.uint32]:

@@ -18,8 +18,9 @@ from ..filters.stack import FilterStack
 from ..mesh import Mesh
 from ..quality import METRICS, Validity, certify, quality, statistics
 from ..status import OpenMesh
+from ..status.views import three_quarters
 from ..summary import STRUCTURE
-from ..surface import DrawnMesh, Irregular, extract_irregular
+from ..surface import DrawnMesh, Irregular, extract_irregular, long_axis, outline, placed_within
 from .mean_volumes import MeanVolumes
 
 DESCRIBED = (*STRUCTURE, "findings")
@@ -59,6 +60,27 @@ class Opened:
     def drawn_mesh(self) -> DrawnMesh:
         """What all surfaces of the mesh share."""
         return DrawnMesh(self.mesh)
+
+    @cached_property
+    def placed(self) -> dict[str, Any]:
+        """Where the mesh lies, and where it is looked at from.
+
+        `extent` ((2, 3), of all cells), `frame` ((2, 3), the box that drawing coordinates are made of), `centre`
+        and `diagonal` of the frame, `framed_cells` (those within it), `view` (`direction`, `up`, `facing`),
+        `outline` ((3 n,) float32, drawing coordinates of points that a camera is fitted to).
+        """
+        mesh, frame = self.mesh, self.drawn_mesh.frame
+        points = placed_within(mesh, frame)
+        view = three_quarters((frame.high - frame.low).tolist(), mesh.cell_count, long_axis(points))
+        return {
+            "extent": mesh.extent.tolist(),
+            "frame": [frame.low.tolist(), frame.high.tolist()],
+            "centre": frame.centre.tolist(),
+            "diagonal": frame.diagonal,
+            "framed_cells": frame.cells,
+            "view": {part: list(vector) for part, vector in vars(view).items()},
+            "outline": outline(points).reshape(-1),
+        }
 
     @cached_property
     def filters(self) -> FilterStack:
@@ -197,7 +219,7 @@ class Opened:
         return topology.max_depth if compute or "depth" in vars(topology) else None
 
     def plane_ranges(self, planes: dict[str, Any]) -> list[list[float] | None]:
-        """Return where each plane's slider runs, as distances from the centre in diagonals.
+        """Return where each plane's slider runs, as distances from the centre in diagonals of the frame.
 
         None for a plane that hides nothing: the first picture does not wait for barycentres.
         """
@@ -206,17 +228,18 @@ class Opened:
     def _plane_range(self, plane: dict[str, Any], rule: str) -> list[float] | None:
         if not plane["offset"]:
             return None
-        middle = float((unit(plane["normal"]) * self.mesh.centre).sum())
+        frame = self.drawn_mesh.frame
+        middle = float((unit(plane["normal"]) * frame.centre).sum())
         places = self.filters.places(plane["normal"], rule)
-        return [(end - middle) / self.mesh.diagonal for end in (places.low, places.high)]
+        return [(end - middle) / frame.diagonal for end in (places.low, places.high)]
 
     def for_original(self) -> OpenMesh:
         """Return what the conversion of the original's documents must know of the mesh."""
-        mesh = self.mesh
+        mesh, frame = self.mesh, self.drawn_mesh.frame
         low, high = mesh.coordinates.min(axis=1), mesh.coordinates.max(axis=1)
         return OpenMesh(
-            centre=_triple(mesh.centre),
-            diagonal=mesh.diagonal,
+            centre=_triple(frame.centre),
+            diagonal=frame.diagonal,
             whole_centre=_triple(low / 2 + high / 2),
             whole_diagonal=float(np.hypot.reduce(high - low)) or 1.0,
             native=self._native,

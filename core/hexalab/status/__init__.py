@@ -120,7 +120,16 @@ def read(document: Any, mesh: OpenMesh | None = None) -> tuple[dict[str, Any], l
         What of it does not.
     """
     if is_original(document):
-        return from_original(document, mesh)
+        partial, rejections = from_original(document, mesh)
+        return placed(partial), rejections
     document, rejections = migrate(document)
     clean, wrong = check(document)
-    return clean, rejections + wrong
+    return placed(clean), rejections + wrong
+
+
+def placed(partial: dict[str, Any]) -> dict[str, Any]:
+    """A part of a document in which a camera that says where it stands is not fitted, unless it says that too."""
+    camera = partial.get("camera", {})
+    if "fit" in camera or not {"target", "distance"} & set(camera):
+        return partial
+    return {**partial, "camera": {"fit": False, **camera}}

@@ -38,7 +38,7 @@ class OpenMesh:
     Parameters
     ----------
     centre, diagonal : (float, float, float), float
-        Of the extent as we take it: over the vertices that cells use.
+        Of the frame that we draw by: of the extent over the vertices that cells use.
     whole_centre, whole_diagonal : (float, float, float), float
         Of the extent as the original took it: over all vertices.
     native : callable (metric id, normalised value) -> float

@@ -1,7 +1,7 @@
 """The settings document's JSON Schema (draft 2020-12): the only place of its names, limits and defaults.
 
 Every property is optional, so that a part of a document is valid too. Lengths of the camera are in diagonals
-of the mesh's extent and its target is relative to the extent's centre: a status moves between meshes.
+of the mesh's frame and its target is relative to the frame's centre: a status moves between meshes.
 """
 
 from __future__ import annotations
@@ -51,8 +51,14 @@ MESH = section(
 )
 
 CAMERA = section(
-    "Where the eye is. Lengths in diagonals of the mesh's extent.",
-    target={**VECTOR, "default": [0, 0, 0], "description": "Relative to the extent's centre"},
+    "Where the eye is. Lengths in diagonals of the mesh's frame: its extent, or that of its largest part if it has "
+    "strayed from the others.",
+    fit={
+        **ON,
+        "description": "Target and distance follow from the frame and the picture's shape, so that all of it is seen; "
+        "off where a document gives one of them",
+    },
+    target={**VECTOR, "default": [0, 0, 0], "description": "Relative to the frame's centre"},
     direction={**DIRECTION, "default": [0, 0, -1], "description": "From the eye to the target"},
     up={**DIRECTION, "default": [0, 1, 0]},
     distance={"type": "number", "exclusiveMinimum": 0, "maximum": 1_000_000, "default": 1.5},

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from .darkness_coded_edges import darkness_coded_edges
 from .drawn_mesh import DrawnMesh
 from .fissure import fissure
+from .frame import Frame, long_axis, outline, placed_within
 from .irregular import extract_irregular
 from .lines import interface_quads, lines
 from .records import Irregular, Silhouette, Surface
@@ -18,12 +19,16 @@ __all__ = [
     "LINED",
     "MODES",
     "DrawnMesh",
+    "Frame",
     "Irregular",
     "Silhouette",
     "Surface",
     "extract_irregular",
     "extract_silhouette",
     "extract_surface",
+    "long_axis",
+    "outline",
+    "placed_within",
 ]
 
 MODES = ("lines", "darkness_coded_edges", "fissure", "rounded")

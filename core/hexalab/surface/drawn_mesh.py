@@ -11,6 +11,7 @@ from ..arrays import Array, Floats, Ids
 from ..mesh import Mesh
 from ..topology import Topology
 from .collapse import first_places
+from .frame import Frame, frame_of
 from .records import Floats32
 
 
@@ -41,14 +42,19 @@ class DrawnMesh:
         return self.mesh.topology
 
     @cached_property
+    def frame(self) -> Frame:
+        """The box that drawing coordinates are made of."""
+        return frame_of(self.whole)
+
+    @cached_property
     def coordinates(self) -> Floats32:
-        """(3, V) float32 drawing coordinates: extent centred on the origin, diagonal 1.
+        """(3, V) float32 drawing coordinates: the frame centred on the origin, its diagonal 1.
 
         One row for each axis: in WebAssembly three gathers of single numbers take half the time of one
         gather of rows.
         """
         out = np.empty((3, self.mesh.vertex_count), np.float32)
-        centre, diagonal = self.mesh.centre, self.mesh.diagonal
+        centre, diagonal = self.frame.centre, self.frame.diagonal
         with np.errstate(all="ignore"):
             for axis in range(3):
                 out[axis] = (self.mesh.coordinates[axis] - centre[axis]) / diagonal

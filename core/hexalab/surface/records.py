@@ -18,7 +18,7 @@ UInt32s = NDArray[np.uint32]
 class Surface:
     """The surface of the shown cells, closed, its normals outward.
 
-    Positions are drawing coordinates: the mesh's extent is centred on the origin and its diagonal is 1.
+    Positions are drawing coordinates: the mesh's frame is centred on the origin and its diagonal is 1.
 
     Attributes
     ----------

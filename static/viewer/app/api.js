@@ -5,7 +5,7 @@
  * `{hexalab: "open", id: 1, result}` or `{hexalab: "open", id: 1, error}` comes back. When the viewer is ready it
  * posts `{hexalab: "ready"}` to its parent.
  *
- * @typedef {import("../state/facts.js").MeshSummary & Partial<import("../state/answers.js").Description>
+ * @typedef {Omit<import("../state/facts.js").MeshSummary, "outline"> & Partial<import("../state/answers.js").Description>
  *   & { shown: { cells: number, faces: number } | null }} Known
  * @typedef {import("../state/status.js").Status} Status
  */
@@ -50,7 +50,9 @@ export class HexaLab {
   summary() {
     const { facts } = this.#app;
     const summary = facts.get("summary");
-    return summary ? { ...summary, ...facts.get("description"), shown: facts.get("shown") } : null;
+    if (!summary) return null;
+    const { outline: _, ...told } = summary;
+    return { ...told, ...facts.get("description"), shown: facts.get("shown") };
   }
 
   /** The status document: a copy. @returns {Status} */
@@ -68,6 +70,12 @@ export class HexaLab {
     const rejections = await this.#app.documents.apply(partial);
     await this.#app.drawing.drawn();
     return rejections;
+  }
+
+  /** Put all settings back to those that the open mesh has of its own. @returns {Promise<void>} when that is drawn */
+  async reset() {
+    await this.#app.views.resetAll();
+    await this.#app.drawing.drawn();
   }
 
   /** Resolves when the lighting has converged. @returns {Promise<void>} */
@@ -128,6 +136,7 @@ const METHODS = [
   "summary",
   "getStatus",
   "setStatus",
+  "reset",
   "settled",
   "screenshot",
   "quality",

@@ -9,6 +9,7 @@ import { fromUrl, Opening } from "./opening.js";
 import { Progress } from "./progress.js";
 import { Saving } from "./saving.js";
 import { StartWatch } from "./start_watch.js";
+import { Views } from "./views.js";
 import { Batch } from "../batch/batch.js";
 import { Catalogue } from "../catalogue/catalogue.js";
 
@@ -53,6 +54,7 @@ export class App {
     this.cells = new Cells(this);
     this.saving = new Saving(this);
     this.opening = new Opening(this);
+    this.views = new Views(this);
     this.files = new Files(this);
     this.batch = new Batch(this);
   }

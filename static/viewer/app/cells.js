@@ -2,6 +2,7 @@ import { Superseded } from "../core/client.js";
 import { cameraOnCell } from "../state/camera.js";
 import { quantityOf } from "../state/quantity.js";
 import { dig, isolate, undig } from "../state/picking.js";
+import { FLIGHT } from "./views.js";
 
 /** @typedef {import("../state/facts.js").PickingTool} PickingTool */
 
@@ -88,7 +89,8 @@ export class Cells {
       isolate: (/** @type {unknown} */ _, /** @type {number} */ one) => isolate([one]),
     }[action](picking, cell);
     store.seal();
-    store.set({ filters: { picking: next } });
+    store.set({ filters: { picking: next } }, { undo: FLIGHT });
+    if (action === "isolate") void this.#app.views.flyToShown();
   }
 
   /** What a click on a face does. @param {import("../state/facts.js").Tool} tool @param {{ face: number, cell: number }} hit */
@@ -116,7 +118,8 @@ export class Cells {
       if (!cells.length)
         return messages.say("note", `${finding.message}: no cells to show`, { topic: "finding" });
       store.seal();
-      store.set({ filters: { picking: isolate(cells) } });
+      store.set({ filters: { picking: isolate(cells) } }, { undo: FLIGHT });
+      await this.#app.views.flyToShown();
     } catch (error) {
       messages.error(error, { topic: "finding" });
     }

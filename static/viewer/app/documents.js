@@ -34,14 +34,14 @@ export class Documents {
   }
 
   /**
-   * Make the settings the defaults with these documents laid over them, one after the other: nothing that was set before
+   * Make the settings those that the open mesh has of its own, with these documents laid over them, one after the other: nothing that was set before
    * stays.
    *
    * @param {readonly unknown[]} layers
    */
   async replaceBy(layers) {
-    const { store } = this.#app;
-    const { mesh: _, version: __, ...settings } = store.defaults;
+    const { store, views } = this.#app;
+    const { mesh: _, version: __, ...settings } = views.own;
     store.set(settings, { undo: false });
     for (const layer of layers) store.set((await this.#checked(plain(layer))).settings, { undo: false });
     store.seal();

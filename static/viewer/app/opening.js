@@ -3,7 +3,8 @@ import { nameIn } from "./address.js";
 import { download } from "../files/download.js";
 import { unpack } from "../files/packing.js";
 import { NEW_MESH } from "../state/facts.js";
-import { count } from "../state/numbers.js";
+import { count, counted } from "../state/numbers.js";
+import { openingSettings, ownView } from "../state/opening_view.js";
 
 /**
  * Where a mesh comes from. `bytes` may be called again, when the core had to be restarted.
@@ -20,6 +21,9 @@ import { count } from "../state/numbers.js";
  * @typedef {import("../state/answers.js").Summary} Summary
  * @typedef {import("../state/facts.js").MeshSummary} MeshSummary
  */
+
+/** @param {readonly (readonly number[])[]} box two corners */
+const diagonalOf = ([low, high]) => Math.hypot(...high.map((end, axis) => end - low[axis]));
 
 /** @param {File} file @param {string} [name] its path, where a folder was opened @returns {Origin} */
 export function fromFile(file, name = file.name) {
@@ -158,18 +162,43 @@ export class Opening {
   /** Clear away what belonged to the mesh before. @param {Origin} origin @param {MeshSummary} summary */
   #enter(origin, summary) {
     const { facts, store, scene, drawing } = this.#app;
-    const { filters, camera } = store.defaults;
-    const { by, attribute } = store.status.colour;
-    const known = by !== "attribute" || summary.attributes?.some((one) => one.id === attribute);
+    const entry = origin.entry ?? null;
+    const before = facts.get("summary");
+    const { settings, kept } = openingSettings(ownView(store.defaults, summary.view, entry?.mesh.view), {
+      status: store.status,
+      touched: store.touched,
+      keeping: before ? facts.get("keeping") : "changed",
+      alike: before?.cells === summary.cells,
+      has: (quantity) => Boolean(summary.attributes?.some((one) => one.id === quantity)),
+    });
     drawing.pause();
-    store.set(
-      { filters, camera, colour: { range: null, ...(known ? {} : { by: "sides", attribute: "" }) } },
-      { undo: false },
-    );
+    store.set(settings, { undo: false });
     store.forget();
     scene.setMesh(summary);
-    const entry = origin.entry ?? null;
     facts.set({ ...NEW_MESH, summary, entry, source: entry?.source ?? null });
+    this.#tellView(summary, kept && before !== null);
+  }
+
+  /** Say where one looks, if it is not where one would think. @param {MeshSummary} summary @param {boolean} kept */
+  #tellView({ cells, framed_cells: framed, extent, frame }, kept) {
+    const { messages, views } = this.#app;
+    messages.settle("kept");
+    messages.settle("frame");
+    if (kept)
+      messages.say("note", "The view of the mesh before was kept", {
+        topic: "kept",
+        action: { name: "reset", press: () => void views.resetAll() },
+      });
+    if (framed === cells) return;
+    const times = count(Math.round(diagonalOf(extent) / diagonalOf(frame)));
+    messages.say(
+      "note",
+      `The view opens on the largest part, ${counted(framed, "cell")}: the whole is ${times} times as large`,
+      {
+        topic: "frame",
+        action: { name: "fit everything", press: () => views.fitShown() },
+      },
+    );
   }
 
   /** @param {Origin} origin @param {Summary} summary */

@@ -15,7 +15,7 @@ import { meshesIn, originIn, settingsBeside } from "./archive.js";
  * @typedef {import("../state/answers.js").Summary} Summary
  *
  * @typedef {object} Host  what a batch needs of the application
- * @property {{ status: unknown }} store
+ * @property {Pick<import("../state/store.js").StatusStore, "status" | "touched">} store
  * @property {Pick<import("../state/tables.js").Tables, "formats" | "metrics" | "statistics">} tables
  * @property {Pick<import("../state/facts.js").Facts, "get">} facts
  * @property {Pick<import("../core/client.js").CoreClient, "call">} client
@@ -64,7 +64,7 @@ export class Batch {
     const entries = readZip(archive);
     const meshes = await meshesIn(entries, this.#host.tables.formats);
     if (!meshes.length) throw new Error("the archive holds no mesh");
-    const common = status ?? this.#host.store.status;
+    const common = status ?? this.#present();
     const files = [];
     const rows = [];
     const names = new Set();
@@ -82,6 +82,13 @@ export class Batch {
     report?.(meshes.length, meshes.length, "");
     files.push({ name: "measurements.csv", bytes: new TextEncoder().encode(toCsv(rows)) });
     return writeZip(files);
+  }
+
+  /** The present settings; each mesh is seen in its own view where that was not changed. */
+  #present() {
+    const { status, touched } = this.#host.store;
+    const { camera, filters, ...others } = status;
+    return touched.has("camera") || touched.has("filters") ? status : others;
   }
 
   /** @param {import("./archive.js").WholeEntry} whole @param {Entry[]} entries @param {unknown} common @param {Set<string>} names taken ones @param {{ width?: number, height?: number }} size */

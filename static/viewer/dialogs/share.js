@@ -40,6 +40,7 @@ export function shareDialog({ app, facts }) {
     async () => {
       local.hidden = !facts.get("summary") || new URLSearchParams(location.search).has("mesh");
       settings.show(app.documents.text());
+      for (const field of [link, frame]) field.show(""); // never that of another view
       const address = await app.saving.link();
       link.show(address);
       frame.show(`<iframe src="${address}" width="960" height="640" title="HexaLab"></iframe>`);

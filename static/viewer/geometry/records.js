@@ -1,6 +1,6 @@
 /**
  * What the core sends to be drawn: its dataclasses of `hexalab.surface.records`, field by field, in the same order. Lengths
- * are in diagonals of the mesh, whose extent's centre is the origin.
+ * are in diagonals of the mesh's frame, whose centre is the origin.
  *
  * @typedef {object} Surface
  * @property {SeparationMode} mode
@@ -32,9 +32,10 @@
  * @typedef {"lines" | "darkness_coded_edges" | "fissure" | "rounded"} SeparationMode
  *
  * @typedef {object} MeshFrame where a mesh stood before it was moved and scaled, and how large it is
- * @property {readonly (readonly number[])[]} [extent] two corners in the file's unit
+ * @property {readonly (readonly number[])[]} [frame] two corners in the file's unit
  * @property {readonly number[]} [centre]
  * @property {number} [diagonal]
+ * @property {ArrayLike<number>} [outline] points that stand for the body when a camera is fitted to it, 3 coordinates each
  * @property {number} cells number of cells of the whole mesh
  */
 

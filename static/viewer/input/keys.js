@@ -62,8 +62,8 @@ const slideBy = (step) => (app) => {
 /** @param {number} factor of the distance @returns {KeyRow["press"]} */
 const zoomBy =
   (factor) =>
-  ({ store }) => {
-    store.set({ camera: zoomedCamera(store.status.camera, factor) }, { undo: "zoom" });
+  ({ store, scene }) => {
+    store.set({ camera: zoomedCamera(scene.camera, factor) }, { undo: "zoom" });
     sealSoon(store);
   };
 
@@ -106,7 +106,7 @@ export const KEYS = [
     group: "Filters",
     keys: ["r"],
     what: "Show everything: all filters reset",
-    press: ({ store }) => void store.set({ filters: store.defaults.filters }),
+    press: (app) => app.views.showAll(),
   },
   {
     group: "Drawing",
@@ -187,7 +187,13 @@ export const KEYS = [
     group: "View",
     keys: ["Enter"],
     what: "Reset the camera",
-    press: ({ store }) => void store.set({ camera: store.defaults.camera }),
+    press: (app) => app.views.reset(),
+  },
+  {
+    group: "View",
+    keys: [".", "Home"],
+    what: "Fit what is shown",
+    press: (app) => app.views.fitShown(),
   },
   {
     group: "View",
@@ -214,7 +220,11 @@ export const KEYS = [
 /** Keys that are not in the table, for the cheat sheet. @type {readonly { group: string, keys: readonly string[], what: string }[]} */
 export const OTHER_KEYS = [
   { group: "View", keys: ["Arrows"], what: "Turn the picture that has the focus; with shift, move it" },
-  { group: "View", keys: ["Double click"], what: "Make this point the centre" },
+  {
+    group: "View",
+    keys: ["Double click"],
+    what: "Make this point the centre; beside the mesh, fit what is shown",
+  },
   { group: "Page", keys: ["Ctrl+c"], what: "Copy the settings" },
   { group: "Page", keys: ["Ctrl+v"], what: "Apply settings from the clipboard" },
   { group: "Page", keys: ["?", "h"], what: "This sheet" },

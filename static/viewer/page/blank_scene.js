@@ -25,6 +25,15 @@ export class BlankScene {
   flush() {}
   dispose() {}
 
+  /** @param {import("../state/status.js").Status["camera"]} camera */
+  constructor(camera) {
+    this.camera = camera;
+  }
+
+  cameraOnShown() {
+    return null;
+  }
+
   pick() {
     return null;
   }

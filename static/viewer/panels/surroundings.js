@@ -57,8 +57,14 @@ export const surroundings = {
         {
           name: "Reset the camera",
           text: "Reset",
-          hint: "Reset the camera (Enter)",
-          press: ({ store }) => store.set({ camera: store.defaults.camera }),
+          hint: "The view that the mesh opened with (Enter)",
+          press: ({ app }) => app.views.reset(),
+        },
+        {
+          name: "Fit what is shown",
+          text: "Fit shown",
+          hint: "Fit what is shown (. or Home, or a double click beside the mesh)",
+          press: ({ app }) => app.views.fitShown(),
         },
       ],
     }),

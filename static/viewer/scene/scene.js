@@ -3,6 +3,9 @@ import { CameraRig } from "./camera/camera_rig.js";
 import { DraftPolicy } from "./frame/draft_policy.js";
 import { Emitter } from "./emitter.js";
 import { FrameLoop } from "./frame/frame_loop.js";
+import { cornersOf } from "../geometry/box.js";
+import { standing } from "../geometry/outline.js";
+import { frameOf } from "./frame_of.js";
 import { Layers } from "./layers/layers.js";
 import { Painter } from "./frame/painter.js";
 import { Pictures } from "./frame/pictures.js";
@@ -66,7 +69,8 @@ export class Scene {
       ended: () => this.#events.emit("cameraend", this.#rig.status),
       clicked: (at) => this.#events.emit("click", at),
       hovered: (at) => this.#events.emit("hover", at),
-      centred: ({ x, y }) => void (this.#pointing.centre(x, y) && this.#moved()),
+      centred: ({ x, y }) =>
+        this.#pointing.centre(x, y) ? this.#moved() : this.#events.emit("blank", undefined),
     });
     const { signal } = this.#abort;
     this.#drafts = new DraftPolicy(
@@ -118,6 +122,7 @@ export class Scene {
   /** Begins another mesh: what was drawn of the last one goes. @param {import("../geometry/records.js").MeshFrame} mesh */
   setMesh(mesh) {
     this.#mesh = mesh;
+    this.#rig.body = mesh.outline?.length ? mesh.outline : cornersOf(frameOf(mesh));
     this.#drafts.forget();
     this.#layers.outward = false;
     this.setSurface(null);
@@ -139,6 +144,7 @@ export class Scene {
   setSurface(surface, same = false) {
     const started = performance.now();
     this.#layers.setSurface(surface);
+    this.#enclose();
     this.#pointing.set(surface);
     this.#lighting.restart();
     this.timings.upload = performance.now() - started;
@@ -150,12 +156,14 @@ export class Scene {
   /** @param {import("../geometry/records.js").Silhouette | null} silhouette */
   setSilhouette(silhouette) {
     this.#layers.setSilhouette(silhouette);
+    this.#enclose();
     this.#loop.invalidate();
   }
 
   /** @param {import("../geometry/records.js").Irregular | null} irregular */
   setIrregular(irregular) {
     this.#layers.irregular.set(irregular);
+    this.#enclose();
     this.#loop.invalidate();
   }
 
@@ -201,7 +209,19 @@ export class Scene {
       const [low, high] = plane.extent ?? planeExtent(this.#mesh, plane.normal);
       this.#layers.plane.set(plane.normal, low + plane.offset * (high - low), 1);
     }
+    this.#enclose();
     this.#loop.invalidate();
+  }
+
+  /**
+   * The camera that sees what is shown whole, from the present direction; null where nothing is.
+   *
+   * @param {number} [filled] part of the picture that it fills
+   * @returns {Partial<import("./types.js").CameraStatus> | null}
+   */
+  cameraOnShown(filled) {
+    const { surface } = this.#layers.surface;
+    return surface?.positions.length ? this.#rig.around(standing(surface.positions), filled) : null;
   }
 
   /** Camera as the status document writes it. @returns {import("./types.js").CameraStatus} */
@@ -244,6 +264,11 @@ export class Scene {
   /** Draws what has changed at once, so that the GPU begins before the screen asks for it. */
   flush() {
     if (this.#loop.stale) this.#loop.flush();
+  }
+
+  /** Near and far planes follow what is drawn. */
+  #enclose() {
+    this.#rig.drawn = this.#layers.box ?? frameOf(this.#mesh);
   }
 
   #touch() {

@@ -26,6 +26,7 @@
  * @property {import("./types.js").CameraStatus} cameraend when a move ends
  * @property {Place & { event: PointerEvent }} click
  * @property {Place & { event: PointerEvent } | null} hover null: the pointer is nowhere on the canvas
+ * @property {void} blank a double click where nothing is
  * @property {void} calm nothing is held any more, or has not moved for long
  * @property {void} contextlost
  * @property {void} contextrestored
@@ -48,6 +49,9 @@
  * @property {(x: number, y: number) => FaceHit | null} pick
  * @property {(face: number | null) => void} highlight
  * @property {(plane: import("./types.js").Plane | null) => void} showPlane
+ * @property {import("./types.js").CameraStatus} camera as it stands at the moment
+ * @property {(filled?: number) => Partial<import("./types.js").CameraStatus> | null} cameraOnShown that sees what is shown whole, from
+ *   the present direction; null where nothing is
  * @property {() => Promise<void>} settled when the picture is drawn and will not change by itself
  * @property {(options?: PictureOptions) => Promise<Blob>} screenshot
  * @property {() => DrawnCounts} drawn

@@ -1,5 +1,5 @@
 /**
- * The shapes of what the scene is given. Lengths are in diagonals of the mesh, whose extent's centre is the origin.
+ * The shapes of what the scene is given. Lengths are in diagonals of the mesh's frame, whose centre is the origin.
  *
  * @typedef {import("../state/vectors.js").Vector} Vector
  * @typedef {import("../state/status.js").Status} Status

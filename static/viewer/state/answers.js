@@ -12,11 +12,20 @@
  * @property {Record<string, number>} kinds number of cells of each
  * @property {number} boundary_faces
  * @property {[Point, Point]} extent in the file's unit
- * @property {Point} centre
- * @property {number} diagonal
+ * @property {[Point, Point]} frame the box that is drawn by: the extent, or that of the largest part
+ * @property {Point} centre of the frame
+ * @property {number} diagonal of the frame
+ * @property {number} framed_cells cells within it
+ * @property {View} view
+ * @property {Float32Array} outline points that stand for the body when a camera is fitted to it, 3 coordinates each
  * @property {string[]} notes what was noted while it was read
  * @property {Attribute[]} attributes
  * @property {{ read: number, topology: number, summary: number }} timings milliseconds
+ *
+ * @typedef {object} View  where a mesh is looked at from
+ * @property {Point} direction
+ * @property {Point} up
+ * @property {Point} facing normal of a plane that faces the eye
  *
  * @typedef {object} Attribute
  * @property {string} id
@@ -85,7 +94,8 @@
  * @property {number} shown_cells
  * @property {number} shown_faces
  * @property {Surface} surface
- * @property {Silhouette} silhouette
+ * @property {Silhouette} [silhouette]
+ * @property {Irregular} [irregular]
  * @property {Colour | null} colour
  *
  * @typedef {object} BriefSummary
@@ -93,8 +103,12 @@
  * @property {number} cells
  * @property {number} vertices
  * @property {[Point, Point]} extent
+ * @property {[Point, Point]} frame
  * @property {Point} centre
  * @property {number} diagonal
+ * @property {number} framed_cells
+ * @property {View} view
+ * @property {Float32Array} outline points that stand for the body when a camera is fitted to it, 3 coordinates each
  *
  * @typedef {object} Statistics  of a quantity over the cells
  * @property {string} id

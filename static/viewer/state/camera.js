@@ -7,20 +7,21 @@ import { normalised } from "./vectors.js";
  * @typedef {import("./status.js").Status["camera"]} Camera
  */
 
-/** Named views: direction looked in, and what is up. @type {Record<string, { direction: Vector, up: Vector }>} */
+/** Named views: direction looked in, and what is up; all of the mesh is seen. @type {Record<string, { fit: boolean, direction: Vector, up: Vector }>} */
 export const VIEWS = {
-  front: { direction: [0, 0, -1], up: [0, 1, 0] },
-  back: { direction: [0, 0, 1], up: [0, 1, 0] },
-  right: { direction: [-1, 0, 0], up: [0, 1, 0] },
-  left: { direction: [1, 0, 0], up: [0, 1, 0] },
-  top: { direction: [0, -1, 0], up: [0, 0, -1] },
-  bottom: { direction: [0, 1, 0], up: [0, 0, 1] },
-  isometric: { direction: normalised([-1, -1, -1]), up: normalised([-1, 2, -1]) },
+  front: { fit: true, direction: [0, 0, -1], up: [0, 1, 0] },
+  back: { fit: true, direction: [0, 0, 1], up: [0, 1, 0] },
+  right: { fit: true, direction: [-1, 0, 0], up: [0, 1, 0] },
+  left: { fit: true, direction: [1, 0, 0], up: [0, 1, 0] },
+  top: { fit: true, direction: [0, -1, 0], up: [0, 0, -1] },
+  bottom: { fit: true, direction: [0, 1, 0], up: [0, 0, 1] },
+  isometric: { fit: true, direction: normalised([-1, -1, -1]), up: normalised([-1, 2, -1]) },
 };
 
-/** @param {Camera} camera @param {number} factor above 1 goes away */
+/** @param {Camera} camera where it stands @param {number} factor above 1 goes away */
 export function zoomedCamera(camera, factor) {
-  return { distance: Math.min(100, Math.max(1e-4, camera.distance * factor)) };
+  const distance = Math.min(100, Math.max(1e-4, camera.distance * factor));
+  return { fit: false, target: camera.target, distance };
 }
 
 /**
@@ -30,5 +31,5 @@ export function zoomedCamera(camera, factor) {
  */
 export function cameraOnCell(camera, { centre, size }) {
   const halfAngle = (camera.field_of_view * Math.PI) / 360;
-  return { target: centre, distance: Math.max(1e-4, (2.5 * size) / Math.tan(halfAngle)) };
+  return { fit: false, target: centre, distance: Math.max(1e-4, (2.5 * size) / Math.tan(halfAngle)) };
 }

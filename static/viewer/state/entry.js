@@ -10,6 +10,7 @@
  * @property {number | null} [bytes]
  * @property {string | null} [sha256]
  * @property {string} [preview] address of its summary and first picture
+ * @property {import("./status.js").PartialStatus} [view] what it opens with, and what the preview was made under
  *
  * @typedef {object} CatalogueSource  a publication
  * @property {string} slug

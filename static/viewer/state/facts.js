@@ -42,6 +42,7 @@
  * @property {number} plane number of the one at hand
  * @property {boolean} planeShown while its slider is held
  * @property {import("./answers.js").Update["plane_ranges"]} planeRanges
+ * @property {import("./opening_view.js").Keeping} keeping whether another mesh keeps the view
  * @property {import("./quality_filter.js").Keep | null} keep chosen while the quality filter hides nothing yet
  */
 
@@ -76,6 +77,7 @@ const NOTHING = {
   archive: null,
   catalogue: null,
   planeShown: false,
+  keeping: "changed",
   keep: null,
 };
 

@@ -10,6 +10,7 @@
  *     readonly cells: number,
  *   },
  *   readonly camera: {
+ *     readonly fit: boolean,
  *     readonly target: readonly [number, number, number],
  *     readonly direction: readonly [number, number, number],
  *     readonly up: readonly [number, number, number],

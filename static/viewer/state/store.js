@@ -31,6 +31,7 @@ export class StatusStore {
   /** @type {Whole[]} */ #past = [];
   /** @type {Whole[]} */ #future = [];
   /** @type {string | null} */ #openKey = null;
+  /** @type {Set<string>} */ #touched = new Set();
 
   /** @param {Whole} defaults */
   constructor(defaults) {
@@ -44,6 +45,16 @@ export class StatusStore {
 
   get defaults() {
     return this.#defaults;
+  }
+
+  /** Sections that were changed by steps since the program began, or since `untouch`. @returns {ReadonlySet<string>} */
+  get touched() {
+    return this.#touched;
+  }
+
+  /** Nothing was changed by hand so far. */
+  untouch() {
+    this.#touched.clear();
   }
 
   get canUndo() {
@@ -70,7 +81,9 @@ export class StatusStore {
       this.#future = [];
       this.#openKey = undo ?? null;
     }
-    return this.#replace(next);
+    const changed = this.#replace(next);
+    if (undo !== false) for (const path of changed) this.#touched.add(path.split(".")[0]);
+    return changed;
   }
 
   /** Put one value at a path. @param {string} path @param {unknown} value @param {SetOptions} [options] */

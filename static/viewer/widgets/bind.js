@@ -22,6 +22,7 @@
  * @property {(tool: import("../state/facts.js").PickingTool, cell: number) => void} pick
  * @property {(finding: import("../state/answers.js").Finding) => unknown} showFinding
  * @property {(format: ChartFormat) => unknown} saveHistogram
+ * @property {{ reset: () => void, fitShown: () => void }} views
  * @property {{ dismiss: (id: number) => void }} messages
  * @property {{ text: () => string, apply: (document: unknown) => Promise<import("../state/answers.js").Rejection[]> }} documents
  * @property {{ savePicture: (size: Size & { transparent: boolean }) => unknown, saveStatus: () => void, link: () => Promise<string> }} saving

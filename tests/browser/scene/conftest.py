@@ -29,7 +29,7 @@ class Stage:
         page.on("pageerror", lambda error: self.messages.append(str(error)))
 
     def start(self, width: int = 400, height: int = 300, ratio: float = 1) -> None:
-        options = [width, height, ratio, DEFAULTS["camera"]]
+        options = [width, height, ratio, {**DEFAULTS["camera"], "fit": False}]
         self.page.evaluate("([w, h, r, camera]) => start(w, h, r, camera)", options)
 
     def call(self, method: str, *arguments: Any) -> Any:

@@ -8,7 +8,7 @@ import numpy as np
 
 from .grids import grid_surface
 
-FRONT = {"target": [0, 0, 0], "direction": [0, 0, -1], "up": [0, 1, 0], "distance": 1.5}
+FRONT = {"target": [0, 0, 0], "direction": [0, 0, -1], "up": [0, 1, 0], "distance": 1.5, "fit": False}
 NO_LINES = {"line_opacity": 0}
 
 
@@ -133,7 +133,8 @@ def test_V1_darkness_tells_the_number_of_cells_around_an_edge(stage: Any) -> Non
     shown = np.ones((3, 1, 1), bool)
     surface = grid_surface(shown, "darkness_coded_edges")
     y = 0.2
-    ends = np.array([[[x, -y, 0.3], [x, y, 0.3]] for x in (-0.3, 0.0, 0.3)], np.float32)
+    z = 0.5 / np.sqrt(11)  # the front of the row
+    ends = np.array([[[x, -y, z], [x, y, z]] for x in (-0.3, 0.0, 0.3)], np.float32)
     surface["edges"] = ends.ravel()
     surface["edge_cells"] = np.array([1, 2, 5], np.uint8)
     stage.call("setMesh", {"cells": 3})

@@ -118,6 +118,8 @@ def test_A1_the_typedefs_of_answers_are_what_a_session_answers(attributed: bytes
     preview = Session()
     preview.open("grid.vtk", attributed)
     assert shapes.wrong(unpack(preview.preview()), "Preview") == []
+    plain = {"silhouette": 0, "irregular": {"mode": 0}}
+    assert shapes.wrong(unpack(preview.preview(plain)), "Preview") == []
     assert asked == set(METHODS)
     never = {
         f"{name}.{one}"

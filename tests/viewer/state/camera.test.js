@@ -13,6 +13,7 @@ test("V6: every named view has a unit direction and a unit up across it", () => 
 test("V7: flying to a cell puts it in the middle, larger the nearer, and keeps the direction", () => {
   /** @type {import("../../../static/viewer/state/camera.js").Camera} */
   const camera = {
+    fit: false,
     target: [0, 0, 0],
     direction: [0, 0, -1],
     up: [0, 1, 0],

@@ -1,15 +1,32 @@
 import { MathUtils, Matrix4, OrthographicCamera, PerspectiveCamera, Quaternion, Vector3 } from "three";
+import { cornersOf } from "../../geometry/box.js";
+import { fitted } from "./fit.js";
 
-/** Radius of a ball round the origin that holds all that is drawn: the mesh has diagonal 1. */
-const SCENE_RADIUS = 0.52;
+/** @typedef {import("../../geometry/box.js").Box} Box */
 
-const EYE = new Vector3();
+/** What is drawn while nothing is: a cube of diagonal 1. @type {Box} */
+const UNIT = { low: [-0.29, -0.29, -0.29], high: [0.29, 0.29, 0.29] };
+
+/** Part of the target's distance by which what is drawn may stand out of its box: lines are pulled to the eye by pixels. */
+const RIM = 0.03;
+
+/** Part of the target's distance that nothing nearer is seen from, and orthographic depth at the most. */
+const NEAREST = 0.004;
+const DEEPEST = 1000;
+
 const MATRIX = new Matrix4();
 
 /**
- * Where the eye is: target, orientation as a quaternion (so that no direction is special), distance, projection.
+ * Where the eye is: target, orientation as a quaternion (so that no direction is special), distance, projection. While it
+ * is fitted, target and distance follow from the mesh's frame and the picture's shape.
  */
 export class CameraRig {
+  /** Whether target and distance follow from frame and picture. */
+  fit = true;
+  /** What it is fitted to: points that stand for the mesh, 3 coordinates each. @type {ArrayLike<number>} */
+  body = cornersOf(UNIT);
+  /** All that is drawn is within. @type {Box} */
+  drawn = UNIT;
   target = new Vector3();
   orientation = new Quaternion();
   distance;
@@ -17,6 +34,8 @@ export class CameraRig {
   projection;
   aspect = 1;
 
+  /** The fit that was found last, and for what. @type {{ body: ArrayLike<number> | null, asked: unknown[], target: [number, number, number], distance: number }} */
+  #fitted = { body: null, asked: [], target: [0, 0, 0], distance: 1 };
   #perspective = new PerspectiveCamera();
   #orthographic = new OrthographicCamera();
 
@@ -26,6 +45,7 @@ export class CameraRig {
     this.fieldOfView = camera.field_of_view;
     this.projection = camera.projection;
     this.set(camera);
+    this.#aim();
   }
 
   /** @returns {PerspectiveCamera | OrthographicCamera} the camera three draws with */
@@ -45,7 +65,12 @@ export class CameraRig {
 
   /** Whether the eye stands outside of all that is drawn, so that nothing is cut open by the near plane. @returns {boolean} */
   get outside() {
-    return this.projection === "orthographic" || this.eye.length() > SCENE_RADIUS * 1.01;
+    const { low, high } = this.drawn;
+    const rim = this.#rim;
+    return (
+      this.projection === "orthographic" ||
+      this.eye.toArray().some((place, axis) => place < low[axis] - rim || place > high[axis] + rim)
+    );
   }
 
   /** @returns {import("../types.js").CameraStatus} */
@@ -53,6 +78,7 @@ export class CameraRig {
     const direction = new Vector3(0, 0, -1).applyQuaternion(this.orientation);
     const up = new Vector3(0, 1, 0).applyQuaternion(this.orientation);
     return {
+      fit: this.fit,
       target: this.target.toArray(),
       direction: direction.toArray(),
       up: up.toArray(),
@@ -60,6 +86,38 @@ export class CameraRig {
       projection: this.projection,
       field_of_view: this.fieldOfView,
     };
+  }
+
+  get #rim() {
+    return RIM * this.distance;
+  }
+
+  /** Lets target and distance be what they are at the moment. */
+  release() {
+    this.fit = false;
+  }
+
+  /** Where it would stand to see some points. @param {ArrayLike<number>} points @param {number} [filled] part of the picture that they fill */
+  around(points, filled) {
+    const { fieldOfView, aspect, projection } = this;
+    const { target, distance } = fitted(points, this.orientation, {
+      fieldOfView,
+      aspect,
+      projection,
+      filled,
+    });
+    return { fit: false, target: target.toArray(), distance };
+  }
+
+  /** Stands where the fit asks for. */
+  #aim() {
+    if (!this.fit) return;
+    const { body, aspect, fieldOfView, projection, orientation } = this;
+    const asked = [aspect, fieldOfView, projection, ...orientation];
+    if (this.#fitted.body !== body || asked.some((one, k) => one !== this.#fitted.asked[k]))
+      this.#fitted = { body, asked, ...this.around(body) };
+    this.target.fromArray(this.#fitted.target);
+    this.distance = this.#fitted.distance;
   }
 
   /**
@@ -70,14 +128,16 @@ export class CameraRig {
    */
   set(status) {
     const before = JSON.stringify(this.status);
-    if (status.target) this.target.fromArray(status.target);
-    if (status.distance && status.distance > 0) this.distance = status.distance;
+    if (status.fit !== undefined) this.fit = status.fit;
+    if (status.target && !this.fit) this.target.fromArray(status.target);
+    if (status.distance && status.distance > 0 && !this.fit) this.distance = status.distance;
     if (status.projection) this.projection = status.projection;
     if (status.field_of_view) this.fieldOfView = status.field_of_view;
     if (status.direction || status.up) {
       const present = this.status;
       this.#look(status.direction ?? present.direction, status.up ?? present.up);
     }
+    this.#aim();
     return before !== JSON.stringify(this.status);
   }
 
@@ -102,32 +162,44 @@ export class CameraRig {
     this.orientation.setFromRotationMatrix(MATRIX).normalize();
   }
 
-  /** Brings three's camera up to date; near and far enclose the scene, as tight as depth needs. */
+  /** Brings three's camera up to date; near and far enclose what is drawn, as tight as depth needs. */
   update() {
+    this.#aim();
     const camera = this.camera;
     camera.position.copy(this.eye);
     camera.quaternion.copy(this.orientation);
-    const depth = EYE.copy(this.target)
-      .sub(camera.position)
-      .normalize()
-      .dot(MATRIX_ORIGIN.clone().sub(camera.position));
-    const radius = SCENE_RADIUS;
-    const far = Math.max(depth + radius, this.distance * 0.02);
+    const [least, most] = this.#depths();
     if (camera instanceof PerspectiveCamera) {
+      const far = Math.max(most, this.distance * 0.02);
       camera.fov = this.fieldOfView;
       camera.aspect = this.aspect;
-      camera.near = Math.max(depth - radius, Math.min(this.distance, far) * 0.004);
+      camera.near = Math.max(least, Math.min(this.distance, far) * NEAREST);
       camera.far = Math.max(far, camera.near * 1.1);
     } else {
       camera.top = this.halfHeight;
       camera.bottom = -camera.top;
       camera.right = camera.top * this.aspect;
       camera.left = -camera.right;
-      camera.near = depth - radius;
-      camera.far = depth + radius;
+      camera.near = Math.max(least, this.distance - DEEPEST);
+      camera.far = Math.min(most, this.distance + DEEPEST);
     }
     camera.updateProjectionMatrix();
     camera.updateMatrixWorld(true);
+  }
+
+  /** Least and greatest depth before the eye of what is drawn. @returns {[number, number]} */
+  #depths() {
+    const { low, high } = this.drawn;
+    const ahead = new Vector3(0, 0, -1).applyQuaternion(this.orientation).toArray();
+    const eye = this.eye.toArray();
+    const rim = this.#rim;
+    let [least, most] = [-rim, rim];
+    for (const axis of [0, 1, 2]) {
+      const ends = [low[axis], high[axis]].map((end) => (end - eye[axis]) * ahead[axis]);
+      least += Math.min(...ends);
+      most += Math.max(...ends);
+    }
+    return [least, most];
   }
 
   /**
@@ -161,5 +233,3 @@ export class CameraRig {
     return { origin: through.addScaledVector(direction, -2), direction };
   }
 }
-
-const MATRIX_ORIGIN = new Vector3();

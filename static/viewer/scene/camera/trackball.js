@@ -177,6 +177,7 @@ export class Trackball {
 
   /** @param {Vector3} axis in the view's frame, the model turns about it @param {number} angle radians */
   #turnAbout(axis, angle) {
+    this.#rig.release();
     this.#rig.orientation.multiply(TURN.setFromAxisAngle(axis.normalize(), -angle)).normalize();
   }
 
@@ -187,6 +188,7 @@ export class Trackball {
 
   /** @param {number} dx CSS pixels @param {number} dy downwards */
   panBy(dx, dy) {
+    this.#rig.release();
     const scale = (2 * this.#rig.halfHeight) / this.#size.height;
     this.#rig.target.add(new Vector3(-dx * scale, dy * scale, 0).applyQuaternion(this.#rig.orientation));
   }
@@ -200,6 +202,7 @@ export class Trackball {
    */
   zoomBy(factor, x, y) {
     const rig = this.#rig;
+    rig.release();
     const distance = Math.min(50, Math.max(1e-4, rig.distance / factor));
     const { width, height } = this.#size;
     const under = rig.pointAt((2 * x) / width - 1, 1 - (2 * y) / height);

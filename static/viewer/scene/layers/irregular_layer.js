@@ -1,4 +1,5 @@
 import { Group } from "three";
+import { around, boxOf } from "../../geometry/box.js";
 import { LinesLayer } from "./lines_layer.js";
 import { PaperLayer } from "./paper_layer.js";
 import { VALENCE_STYLES, valenceStyle } from "../../colours/valence.js";
@@ -42,6 +43,8 @@ export class IrregularLayer {
   #barbs = pair((seeThrough) => new LinesLayer(styles("barb"), { seeThrough }));
   #folds = pair((seeThrough) => new LinesLayer(INK, { seeThrough }));
   #paper = pair((seeThrough) => new PaperLayer({ seeThrough }));
+  /** Of all edges. @type {import("../../geometry/box.js").Box | null} */
+  box = null;
   #mode = 1;
   #boundary = false;
   /** @type {import("../../geometry/records.js").Irregular | null} */
@@ -59,6 +62,7 @@ export class IrregularLayer {
   /** @param {import("../../geometry/records.js").Irregular | null} irregular */
   set(irregular) {
     this.#irregular = irregular;
+    this.box = irregular && around([boxOf(irregular.edges), boxOf(irregular.barbs), boxOf(irregular.paper)]);
     const rows = (/** @type {Uint8Array} */ boundary) =>
       this.#boundary ? boundary.length : boundary.indexOf(1);
     const part = (

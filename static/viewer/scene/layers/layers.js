@@ -1,3 +1,4 @@
+import { around } from "../../geometry/box.js";
 import { CellColours } from "./cell_colours.js";
 import { Gizmo } from "../camera/gizmo.js";
 import { HighlightLayer } from "./highlight_layer.js";
@@ -105,6 +106,11 @@ export class Layers {
     }
     if (irregular) this.irregular.setMode(irregular.mode ?? 1, irregular.boundary ?? false);
     return true;
+  }
+
+  /** All that is drawn is within; null where nothing is. */
+  get box() {
+    return around([this.surface.box, this.silhouette.box, this.irregular.box, this.plane.box]);
   }
 
   /** Edges of the surface. @returns {number} */

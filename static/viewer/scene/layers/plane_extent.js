@@ -1,3 +1,5 @@
+import { frameOf } from "../frame_of.js";
+
 /**
  * Extent of the mesh's box along a direction, in drawing coordinates.
  *
@@ -5,12 +7,8 @@
  * @param {readonly number[]} normal any length but 0
  * @returns {[number, number]}
  */
-export function planeExtent({ extent, diagonal }, normal) {
+export function planeExtent(mesh, normal) {
   const length = Math.hypot(...normal) || 1;
-  let half = 0;
-  for (let k = 0; k < 3; k++) {
-    const side = extent && diagonal ? (extent[1][k] - extent[0][k]) / diagonal : 1 / Math.sqrt(3);
-    half += (Math.abs(normal[k] / length) * side) / 2;
-  }
+  const half = frameOf(mesh).high.reduce((sum, side, k) => sum + (Math.abs(normal[k]) / length) * side, 0);
   return [-half, half];
 }

@@ -1,4 +1,5 @@
 import { Group, Vector3 } from "three";
+import { boxOf } from "../../geometry/box.js";
 import { FlatLayer } from "./flat_layer.js";
 import { LinesLayer } from "./lines_layer.js";
 
@@ -7,6 +8,8 @@ import { LinesLayer } from "./lines_layer.js";
  */
 export class PlaneLayer {
   group = new Group();
+  /** @type {import("../../geometry/box.js").Box | null} */
+  box = null;
   #square = new FlatLayer("#56bbbb", 0.1);
   #rim = new LinesLayer([{ colour: "#0b6e74", ink: 0.7 }]);
 
@@ -22,6 +25,7 @@ export class PlaneLayer {
    */
   set(normal, distance, side) {
     this.group.visible = normal !== null;
+    this.box = null;
     if (!normal) return;
     const n = new Vector3().fromArray(normal).normalize();
     const least = Math.min(Math.abs(n.x), Math.abs(n.y), Math.abs(n.z));
@@ -43,6 +47,7 @@ export class PlaneLayer {
       [-1, 1],
     ].map(([s, t]) => middle.clone().addScaledVector(u, s).addScaledVector(v, t).toArray());
     this.#square.set(new Float32Array([a, b, c, a, c, d].flat()));
+    this.box = boxOf([a, b, c, d].flat());
     this.#rim.set(new Float32Array([a, b, b, c, c, d, d, a].flat()), null);
     this.#rim.mesh.visible = true;
   }

@@ -11,6 +11,7 @@ import {
   Vector4,
 } from "three";
 import { componentsOf } from "../../colours/components.js";
+import { boxOf } from "../../geometry/box.js";
 import { flatQuadIndex } from "../../geometry/quad_index.js";
 
 const INPUTS = `
@@ -83,6 +84,8 @@ const RIM_COLOUR = "#d9d9f2";
  */
 export class SilhouetteLayer {
   group = new Group();
+  /** @type {import("../../geometry/box.js").Box | null} */
+  box = null;
   #geometry = new BufferGeometry();
   #meshes;
   #rims;
@@ -120,6 +123,7 @@ export class SilhouetteLayer {
     this.#geometry = new BufferGeometry();
     const faces = silhouette ? silhouette.positions.length / 12 : 0;
     this.group.visible = faces > 0;
+    this.box = silhouette && boxOf(silhouette.positions);
     if (silhouette && faces > 0) {
       this.#geometry.setAttribute("position", new BufferAttribute(silhouette.positions, 3));
       this.#geometry.setAttribute("normal", new BufferAttribute(silhouette.normals, 4, true));

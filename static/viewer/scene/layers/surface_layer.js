@@ -14,6 +14,7 @@ import {
   Vector2,
   Vector3,
 } from "three";
+import { boxOf } from "../../geometry/box.js";
 import { meanSide } from "../../geometry/mean_side.js";
 import { componentsOf } from "../../colours/components.js";
 import { DRAFT_FRAGMENT, DRAFT_VERTEX } from "./draft_shader.js";
@@ -32,6 +33,8 @@ export class SurfaceLayer {
   mesh;
   /** @type {import("../../geometry/records.js").Surface | null} */
   surface = null;
+  /** Of what is shown. @type {import("../../geometry/box.js").Box | null} */
+  box = null;
   /** Mean side of a face. */
   edge = 1;
   uniforms;
@@ -92,6 +95,7 @@ export class SurfaceLayer {
     old.setIndex(null); // the shared index must outlive this geometry
     old.dispose();
     this.surface = surface;
+    this.box = surface && boxOf(surface.positions);
     const geometry = new BufferGeometry();
     this.mesh.geometry = geometry;
     this.mesh.visible = surface !== null && surface.positions.length > 0;

@@ -51,6 +51,7 @@ export class Pointing {
     const ray = rig.rayAt((2 * x) / size.width - 1, 1 - (2 * y) / size.height);
     const place = this.#picker.meet(row, ray);
     if (!place) return false;
+    rig.release();
     const forward = new Vector3(0, 0, -1).applyQuaternion(rig.orientation);
     if (rig.projection === "perspective") {
       rig.distance = Math.max(1e-4, place.clone().sub(ray.origin).dot(forward));

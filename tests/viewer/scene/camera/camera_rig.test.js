@@ -14,6 +14,7 @@ test("S1: a camera set and read back is the same, and set again changes nothing"
   const rig = new CameraRig(FRONT);
   /** @type {import("../../../../static/viewer/scene/types.js").CameraStatus} */
   const status = {
+    fit: false,
     target: [0.1, -0.2, 0.05],
     direction: [-0.48, -0.6, -0.64],
     up: [-0.36, 0.8, -0.48],
@@ -46,6 +47,7 @@ test("V6: near and far enclose the scene from outside and from within, in both p
   for (const projection of PROJECTIONS) {
     for (const distance of [1.5, 30, 0.6, 0.05, 0.001]) {
       const rig = new CameraRig(FRONT);
+      rig.drawn = { low: [-0.5, -0.5, -0.5], high: [0.5, 0.5, 0.5] };
       rig.set({ ...FRONT, distance, projection });
       rig.update();
       const { near: front, far } = rig.camera;

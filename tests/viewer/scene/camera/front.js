@@ -4,6 +4,7 @@
  * @type {import("../../../../static/viewer/scene/types.js").CameraStatus}
  */
 export const FRONT = {
+  fit: false,
   target: [0, 0, 0],
   direction: [0, 0, -1],
   up: [0, 1, 0],

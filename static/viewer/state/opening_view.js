@@ -1,0 +1,74 @@
+import { merge } from "./paths.js";
+
+/**
+ * What a mesh opens under: its own view, or what was set by hand for the one before. Everything in a status is relative to
+ * the mesh, so that a view can be kept.
+ *
+ * @typedef {import("./status.js").Status} Status
+ * @typedef {import("./status.js").PartialStatus} PartialStatus
+ * @typedef {import("./answers.js").View} View
+ * @typedef {"changed" | "always" | "never"} Keeping  whether another mesh keeps the view: once it was changed by hand, or
+ *
+ * @typedef {object} Before  what was there when a mesh is opened
+ * @property {Status} status
+ * @property {ReadonlySet<string>} touched sections that were changed since the program began, or was reset
+ * @property {Keeping} keeping
+ * @property {boolean} alike whether the meshes have as many cells, so that picked ones may mean the same
+ * @property {(quantity: string) => boolean} has whether the mesh that is opened has this attribute
+ */
+
+/** Sections that are where one looks, and what one sees of the mesh: they are kept together. */
+const VIEW = /** @type {const} */ (["camera", "filters"]);
+
+/**
+ * The view that a mesh has of its own: three quarters from above, nothing hidden, the first slice facing the eye; over that
+ * its portrait's, if it is one of the catalogue's.
+ *
+ * @param {Status} defaults @param {View} view @param {PartialStatus} [portrait]
+ * @returns {Status}
+ */
+export function ownView(defaults, { direction, up, facing }, portrait = {}) {
+  const own = {
+    camera: { fit: true, direction, up },
+    filters: { planes: { items: [{ enabled: true, normal: facing, offset: 0 }] } },
+  };
+  return merge(merge(defaults, own), portrait);
+}
+
+/**
+ * The settings that a mesh opens under, and whether the view is one that was kept.
+ *
+ * @param {Status} own the mesh's own @param {Before} before
+ * @returns {{ settings: PartialStatus, kept: boolean }}
+ */
+export function openingSettings(own, { status, touched, keeping, alike, has }) {
+  const changed = VIEW.some((section) => touched.has(section));
+  const kept = keeping === "always" || (keeping === "changed" && changed);
+  const { version: _, mesh: __, ...sections } = own;
+  const settings = /** @type {Omit<Status, "version" | "mesh">} */ (
+    Object.fromEntries(
+      Object.entries(sections).map(([name, value]) => {
+        const stays = VIEW.some((section) => section === name) ? kept : touched.has(name);
+        return [name, stays ? status[/** @type {keyof Status} */ (name)] : value];
+      }),
+    )
+  );
+  const { colour, filters } = settings;
+  const known = colour.by !== "attribute" || has(colour.attribute);
+  const { picking, quality } = filters;
+  return {
+    settings: {
+      ...settings,
+      colour: { ...colour, range: null, ...(known ? {} : { by: "sides", attribute: "" }) },
+      filters: {
+        ...filters,
+        picking: alike ? picking : own.filters.picking,
+        quality: {
+          ...quality,
+          items: quality.items.filter(({ quantity }) => !quantity.includes(":") || has(quantity)),
+        },
+      },
+    },
+    kept,
+  };
+}

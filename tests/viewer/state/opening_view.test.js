@@ -1,0 +1,106 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { openingSettings, ownView } from "../../../static/viewer/state/opening_view.js";
+
+const defaults = /** @type {import("../../../static/viewer/state/status.js").Status} */ (
+  /** @type {unknown} */ ({
+    version: 2,
+    mesh: { name: "", sha256: "", cells: 0 },
+    camera: { fit: true, target: [0, 0, 0], direction: [0, 0, -1], up: [0, 1, 0], distance: 1.5 },
+    filters: {
+      planes: { enabled: true, items: [{ enabled: true, normal: [1, 0, 0], offset: 0 }] },
+      quality: { enabled: true, items: [] },
+      picking: { enabled: true, isolated: false, hidden: [], shown: [] },
+    },
+    separation: { mode: "lines" },
+    colour: { by: "sides", attribute: "", metric: "scaled_jacobian", range: null },
+  })
+);
+const view = /** @type {import("../../../static/viewer/state/opening_view.js").View} */ ({
+  direction: [-0.5, 0.8, -0.4],
+  up: [0, 0, 1],
+  facing: [0, 1, 0],
+});
+const own = ownView(defaults, view);
+const untouched = {
+  status: defaults,
+  touched: /** @type {Set<string>} */ (new Set()),
+  keeping: /** @type {const} */ ("changed"),
+  alike: false,
+  has: () => false,
+};
+const turned = {
+  ...defaults,
+  camera: { ...defaults.camera, fit: false, direction: /** @type {const} */ ([1, 0, 0]) },
+  filters: {
+    ...defaults.filters,
+    quality: {
+      enabled: true,
+      items: [
+        { quantity: "scaled_jacobian", keep: /** @type {const} */ ("inside"), minimum: 0, maximum: 1 },
+        { quantity: "cell:heat", keep: /** @type {const} */ ("inside"), minimum: 0, maximum: 1 },
+      ],
+    },
+    picking: { enabled: true, isolated: false, hidden: [3], shown: [] },
+  },
+};
+
+test("V6: a mesh opens whole, in its own view, with a slice that faces the eye", () => {
+  const { settings, kept } = openingSettings(own, untouched);
+  assert.equal(kept, false);
+  assert.deepEqual(settings.camera, { ...defaults.camera, direction: view.direction, up: view.up });
+  assert.deepEqual(settings.filters?.planes?.items, [{ enabled: true, normal: view.facing, offset: 0 }]);
+});
+
+test("C4: one of the catalogue opens as its portrait shows it", () => {
+  const portrait = { separation: { mode: /** @type {const} */ ("rounded") } };
+  const { settings } = openingSettings(ownView(defaults, view, portrait), untouched);
+  assert.equal(settings.separation?.mode, "rounded");
+});
+
+test("S1: what was changed by hand is kept: camera and filters together, every other section by itself", () => {
+  const kept = openingSettings(own, { ...untouched, status: turned, touched: new Set(["camera"]) });
+  assert.equal(kept.kept, true);
+  assert.deepEqual(kept.settings.camera, turned.camera);
+  assert.deepEqual(
+    kept.settings.filters?.quality?.items?.map(({ quantity }) => quantity),
+    ["scaled_jacobian"],
+    "the mesh has no attribute heat",
+  );
+  assert.deepEqual(kept.settings.filters?.picking?.hidden, [], "another number of cells");
+  const coloured = { ...defaults, colour: { ...defaults.colour, by: /** @type {const} */ ("quality") } };
+  const other = openingSettings(own, { ...untouched, status: coloured, touched: new Set(["colour"]) });
+  assert.equal(other.kept, false);
+  assert.equal(other.settings.colour?.by, "quality");
+  assert.deepEqual(other.settings.camera?.direction, view.direction);
+});
+
+test("S1: picked cells stay where the meshes have as many cells", () => {
+  const { settings } = openingSettings(own, {
+    ...untouched,
+    status: turned,
+    touched: new Set(["filters"]),
+    alike: true,
+  });
+  assert.deepEqual(settings.filters?.picking?.hidden, [3]);
+});
+
+test("S1: the view can be kept always, or never", () => {
+  const touched = new Set(["camera"]);
+  assert.equal(openingSettings(own, { ...untouched, status: turned, keeping: "always" }).kept, true);
+  assert.equal(openingSettings(own, { ...untouched, status: turned, touched, keeping: "never" }).kept, false);
+});
+
+test("S1: an attribute that the next mesh lacks colours nothing", () => {
+  const status = {
+    ...defaults,
+    colour: { ...defaults.colour, by: /** @type {const} */ ("attribute"), attribute: "cell:heat" },
+  };
+  const touched = new Set(["colour"]);
+  assert.equal(openingSettings(own, { ...untouched, status, touched }).settings.colour?.by, "sides");
+  assert.equal(
+    openingSettings(own, { ...untouched, status, touched, has: () => true }).settings.colour?.by,
+    "attribute",
+  );
+});
