@@ -31,7 +31,7 @@ def test_O4_an_interpreter_whose_file_is_missing_is_told(chromium: Browser, site
     page, _ = start(
         chromium, f"{site}/viewer/", lambda page: page.route("**/*.asm.wasm", lambda route: route.abort())
     )
-    words(page, "Python could not be started: ")
+    words(page, "The measuring engine could not be started: ")
     assert "could not be fetched" in ui.messages(page)
     assert page.get_by_role("button", name="try again").count() == 1
     page.context.close()

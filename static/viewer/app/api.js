@@ -2,7 +2,7 @@
  * `window.hexalab`: the viewer for scripts, tests and embedding pages (SPEC A3).
  *
  * In an iframe the methods but `restart` answer `postMessage`: send `{hexalab: "open", id: 1, args: [url]}` to the frame, and
- * `{hexalab: "open", id: 1, result}` or `{hexalab: "open", id: 1, error}` comes back. When the viewer is ready it
+ * `{hexalab: "open", id: 1, result}` or `{hexalab: "open", id: 1, error}` comes back, answers in the order of questions. When the viewer is ready it
  * posts `{hexalab: "ready"}` to its parent.
  *
  * @typedef {Omit<import("../state/facts.js").MeshSummary, "outline"> & Partial<import("../state/answers.js").Description>
@@ -145,22 +145,30 @@ const METHODS = [
   "timings",
 ];
 
-/** Answer the embedding page. @param {HexaLab} api */
+/**
+ * Answer the embedding page: every question by its number, in the order in which they were asked.
+ *
+ * @param {HexaLab} api
+ */
 export function answerMessages(api) {
-  window.addEventListener("message", async ({ data, source }) => {
-    const method = METHODS.find((one) => one === data?.hexalab);
-    if (source !== parent || parent === window || !method) return;
-    const { id, args = [] } = data;
-    try {
-      const call = /** @type {(...args: unknown[]) => unknown} */ (/** @type {unknown} */ (api[method]));
-      const result = await call.apply(api, args);
-      parent.postMessage({ hexalab: method, id, result }, "*");
-    } catch (error) {
-      parent.postMessage(
-        { hexalab: method, id, error: error instanceof Error ? error.message : String(error) },
-        "*",
-      );
-    }
+  /** @type {Promise<void>} */
+  let last = Promise.resolve();
+  window.addEventListener("message", ({ data, source }) => {
+    if (source !== parent || parent === window || typeof data?.hexalab !== "string") return;
+    last = last.then(async () => parent.postMessage(await answered(api, data), "*"));
   });
   if (parent !== window) api.ready.then(() => parent.postMessage({ hexalab: "ready" }, "*")).catch(() => {});
+}
+
+/** @param {HexaLab} api @param {{ hexalab: string, id?: unknown, args?: unknown }} question */
+async function answered(api, { hexalab, id, args = [] }) {
+  try {
+    const method = METHODS.find((one) => one === hexalab);
+    if (!method) throw new Error(`there is no method ‘${hexalab.slice(0, 60)}’, but ${METHODS.join(", ")}`);
+    if (!Array.isArray(args)) throw new Error("args: expected a list of arguments");
+    const call = /** @type {(...args: unknown[]) => unknown} */ (/** @type {unknown} */ (api[method]));
+    return { hexalab, id, result: await call.apply(api, args) };
+  } catch (error) {
+    return { hexalab, id, error: error instanceof Error ? error.message : String(error) };
+  }
 }

@@ -10,7 +10,9 @@ import { Progress } from "./progress.js";
 import { Saving } from "./saving.js";
 import { StartWatch } from "./start_watch.js";
 import { Views } from "./views.js";
+import { Superseded } from "../core/client.js";
 import { Batch } from "../batch/batch.js";
+import { counted } from "../state/numbers.js";
 import { Catalogue } from "../catalogue/catalogue.js";
 
 /**
@@ -63,7 +65,9 @@ export class App {
   start() {
     const { client, scene, facts, store, messages } = this;
     const began = performance.now();
-    const starting = this.progress.begin("starting Python");
+    const starting = this.progress.begin(loadingInWords(0));
+    let files = 0;
+    client.addEventListener("loading", () => starting.report(null, loadingInWords(++files)));
     const watch = new StartWatch(client, messages);
     client.ready
       .then(
@@ -74,7 +78,11 @@ export class App {
         (/** @type {Error} */ error) => {
           facts.set({ core: "failed" });
           const action = { name: "try again", press: () => location.reload() };
-          messages.say("error", `Python could not be started: ${error.message}`, { topic: "core", action });
+          messages.settle("open"); // which says the same
+          messages.say("error", `The measuring engine could not be started: ${error.message}`, {
+            topic: "core",
+            action,
+          });
         },
       )
       .finally(() => {
@@ -175,16 +183,25 @@ export class App {
     }
   }
 
-  /** Choose a source of the catalogue, whose meshes are then offered. @param {string} slug */
-  chooseSource(slug) {
+  /** Choose a source of the catalogue, whose meshes are then offered; its only one is opened. @param {string} slug */
+  async chooseSource(slug) {
     const source = this.facts.get("catalogue")?.source(slug) ?? null;
     this.facts.set({ source });
-    if (source?.meshes.length === 1) this.chooseEntry(slug, source.meshes[0].slug);
+    if (source?.meshes.length === 1) await this.chooseEntry(slug, source.meshes[0].slug);
   }
 
-  /** The same from a control: what goes wrong has been said in a message. @param {string} source @param {string} mesh @param {unknown} [status] */
-  chooseEntry(source, mesh, status) {
-    this.openEntry(source, mesh, status).catch(() => {});
+  /**
+   * Open a mesh that was chosen: what goes wrong has been said in a message, and the choice is again that of the mesh on
+   * the screen.
+   *
+   * @param {string} source @param {string} mesh @param {unknown} [status]
+   */
+  async chooseEntry(source, mesh, status) {
+    try {
+      await this.openEntry(source, mesh, status);
+    } catch (error) {
+      if (!(error instanceof Superseded)) this.facts.set({ source: this.facts.get("entry")?.source ?? null });
+    }
   }
 
   /** Open a mesh of the catalogue. @param {string} source @param {string} mesh @param {unknown} [status] */
@@ -207,7 +224,7 @@ export class App {
   openBeside(step) {
     const entry = this.facts.get("entry");
     const next = entry && this.facts.get("catalogue")?.beside(entry, step);
-    if (next) this.chooseEntry(next.source.slug, next.mesh.slug);
+    if (next) void this.chooseEntry(next.source.slug, next.mesh.slug);
   }
 
   /** @param {number | null} cell */
@@ -234,6 +251,11 @@ export class App {
   saveHistogram(format) {
     return this.saving.saveHistogram(format);
   }
+}
+
+/** @param {number} files that have come */
+function loadingInWords(files) {
+  return `loading the measuring engine${files ? `, ${counted(files, "file")} so far` : ""}`;
 }
 
 /** Let the page's address name the open mesh, so that a link to it is right. @param {string | null} mesh null for a local file */

@@ -31,6 +31,7 @@ export class Cells {
         return found;
       };
       const { pending } = await look();
+      this.#app.messages.settle("inspect");
       if (!pending.length) return;
       await this.#measureSizes();
       if (asked === this.#asked) await look();
@@ -118,6 +119,7 @@ export class Cells {
       if (!cells.length)
         return messages.say("note", `${finding.message}: no cells to show`, { topic: "finding" });
       store.seal();
+      messages.settle("finding");
       store.set({ filters: { picking: isolate(cells) } }, { undo: FLIGHT });
       await this.#app.views.flyToShown();
     } catch (error) {

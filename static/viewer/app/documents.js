@@ -53,6 +53,7 @@ export class Documents {
     await client.ready;
     const { partial, rejections } = await client.call("check", [document]);
     const { mesh, ...settings } = partial;
+    messages.settle("status");
     if (rejections.length) messages.say("warning", rejectionsInWords(rejections), { topic: "status" });
     return { mesh, settings, rejections };
   }

@@ -31,12 +31,15 @@ export class Files {
   /** @param {readonly (File | Found)[]} given @returns {Promise<MeshSummary | null>} */
   async open(given) {
     const found = given.map((one) => (one instanceof File ? { file: one, path: one.name } : one));
+    const kinds = new Map(await Promise.all(found.map(async (one) => kindOf(one))));
     const meshes = await wholes(found, this.#isMesh, ({ file, path }) => includedIn(file, path));
     const parts = new Set(meshes.flatMap((one) => one.parts));
     const of = (/** @type {string} */ kind) =>
-      found.filter((one) => kindOf(one.file) === kind && !parts.has(one));
+      found.filter((one) => kinds.get(one) === kind && !parts.has(one));
     const layers = (
-      await Promise.all([...of("status"), ...of("picture")].map((one) => this.#settingsIn(one)))
+      await Promise.all(
+        [...of("status"), ...of("picture")].map((one) => this.#settingsIn(one, kinds.get(one) === "status")),
+      )
     ).flat();
     const [archive] = of("archive");
     if (archive) return this.#openArchive(archive.file, layers);
@@ -44,7 +47,7 @@ export class Files {
       .slice(0, 1)
       .map((mesh) => ({ mesh, parts: [] }));
     const [first, ...others] = meshes.length ? meshes : unnamed; // without a known ending, it may be called anything
-    if (first) return this.#openFirst(first, others.length, layers);
+    if (first) return this.#openFirst(first, others, layers, meshes.length > 0);
     for (const layer of layers) await this.#applied(layer);
     return null;
   }
@@ -52,20 +55,31 @@ export class Files {
   /** @param {string} path */
   #isMesh = (path) => meshesOf([{ name: path }], this.#app.tables.formats).length > 0;
 
-  /** @param {Whole<Found>} first @param {number} others meshes that came with it @param {object[]} layers */
-  async #openFirst({ mesh, parts }, others, layers) {
-    const summary = await this.#app.opening.open({
-      ...fromFile(mesh.file, mesh.path),
-      ...(parts.length ? { companions: () => contents(parts) } : {}),
-      ...(layers.length ? { status: laidOver(layers) } : {}),
-    });
-    if (others)
-      this.#app.messages.say(
-        "note",
-        `One mesh is shown at a time: ${mesh.path} was opened, ${others} more left out`,
-        { topic: "drop" },
-      );
-    return summary;
+  /** @param {Whole<Found>} first @param {Whole<Found>[]} others meshes that came with it @param {object[]} layers @param {boolean} named whether it is called a mesh */
+  async #openFirst({ mesh, parts }, others, layers, named) {
+    const { opening, messages } = this.#app;
+    try {
+      const summary = await opening.open({
+        ...fromFile(mesh.file, mesh.path),
+        ...(parts.length ? { companions: () => contents(parts) } : {}),
+        ...(layers.length ? { status: laidOver(layers) } : {}),
+      });
+      if (others.length)
+        messages.say(
+          "note",
+          `One mesh is shown at a time: ${mesh.path} was opened, ${others.length} more left out`,
+          { topic: "drop" },
+        );
+      return summary;
+    } catch (error) {
+      if (!named && error instanceof CoreError)
+        messages.say("error", `${error.message}. ${this.#whatIsRead}`, { topic: "open" });
+      throw error;
+    }
+  }
+
+  get #whatIsRead() {
+    return "Read are meshes, settings (.json), pictures that were saved here (.png), and archives of meshes (.zip)";
   }
 
   /** The mesh in an archive; several are offered as a batch. @param {File} file @param {object[]} layers @returns {Promise<MeshSummary | null>} */
@@ -103,12 +117,21 @@ export class Files {
     }
   }
 
-  /** @param {Found} found @returns {Promise<object[]>} one, or none */
-  async #settingsIn({ file }) {
+  /** @param {Found} found @param {boolean} isText else a picture that may carry them @returns {Promise<object[]>} one, or none */
+  async #settingsIn({ file }, isText) {
     try {
-      const text = kindOf(file) === "status" ? await file.text() : await readStatus(await bytesOf(file));
-      if (text === null) throw new Error(`${file.name} carries no HexaLab settings`);
-      return [parse(text, file.name)];
+      const text = isText ? await file.text() : await readStatus(await bytesOf(file));
+      if (text === null)
+        throw new Error(`${file.name} is a picture that carries no settings of HexaLab. ${this.#whatIsRead}`);
+      const document = parse(text, file.name);
+      const names = Object.keys(document);
+      const { version: _, mesh: __, ...sections } = this.#app.store.defaults;
+      const known = [...Object.keys(sections), ...ORIGINAL];
+      if (names.length && !names.some((name) => name === "mesh" || known.includes(name)))
+        throw new Error(
+          `${file.name} holds no settings of HexaLab: found ${names.slice(0, 3).join(", ")}, expected some of ${Object.keys(sections).join(", ")}`,
+        );
+      return [document];
     } catch (error) {
       this.#app.messages.error(error, { topic: "status" });
       return [];
@@ -138,10 +161,26 @@ function merged(below, above) {
   return out;
 }
 
-/** What a file is: settings, a picture that may carry them, an archive, or a mesh. @param {File} file @returns {"status" | "picture" | "archive" | "mesh"} */
-function kindOf(file) {
-  if (/\.(json|txt)$/i.test(file.name)) return "status";
-  if (/\.png$/i.test(file.name)) return "picture";
-  if (/\.zip$/i.test(file.name)) return "archive";
-  return "mesh";
+/** Sections of the original's settings that ours have not. */
+const ORIGINAL = ["app", "rendering", "materials"];
+
+/**
+ * What a file is: settings, a picture that may carry them, an archive, or else a mesh. A text may be either.
+ *
+ * @param {Found} found
+ * @returns {Promise<[Found, "status" | "picture" | "archive" | "mesh"]>}
+ */
+async function kindOf(found) {
+  const { file } = found;
+  if (/\.json$/i.test(file.name)) return [found, "status"];
+  if (/\.txt$/i.test(file.name)) {
+    const start = await file
+      .slice(0, 256)
+      .text()
+      .catch(() => "");
+    return [found, /^\s*\{/.test(start) ? "status" : "mesh"];
+  }
+  if (/\.png$/i.test(file.name)) return [found, "picture"];
+  if (/\.zip$/i.test(file.name)) return [found, "archive"];
+  return [found, "mesh"];
 }

@@ -1,6 +1,9 @@
 /** @typedef {import("../state/facts.js").Message} Message */
 
-/** Messages that stay until they are read: no dialogs, no alerts. */
+/** Topics that are settled when another mesh has come. */
+const OF_A_MESH = ["open", "drop", "offer", "status", "save", "inspect", "pick", "finding", "kept", "frame"];
+
+/** Messages that stay until they are read: no dialogs, no alerts. They leave when their matter is settled. */
 export class Messages {
   #facts;
   #last = 0;
@@ -31,10 +34,15 @@ export class Messages {
     this.#facts.set({ messages: this.#all.filter((one) => one.id !== id) });
   }
 
-  /** Take back what was said on a topic. @param {string} topic */
-  settle(topic) {
-    if (this.#all.some((one) => one.topic === topic))
-      this.#facts.set({ messages: this.#all.filter((one) => one.topic !== topic) });
+  /** Take back what was said on some topics. @param {...string} topics */
+  settle(...topics) {
+    const rest = this.#all.filter(({ topic }) => !topic || !topics.includes(topic));
+    if (rest.length < this.#all.length) this.#facts.set({ messages: rest });
+  }
+
+  /** Take back what was said about the mesh before, and what was done to it. */
+  settleMesh() {
+    this.settle(...OF_A_MESH);
   }
 
   /** @returns {readonly Message[]} */

@@ -80,7 +80,10 @@ export class Opening {
       const preview = this.#preview(origin, current);
       const bytes = await origin.bytes((fraction, text) => task.report(fraction, text));
       current();
-      task.report(null, this.#app.facts.get("core") === "ready" ? this.#reading(origin) : "starting Python");
+      task.report(
+        null,
+        this.#app.facts.get("core") === "ready" ? this.#reading(origin) : "loading the measuring engine",
+      );
       await client.ready;
       current();
       task.report(null, this.#reading(origin));
@@ -90,7 +93,7 @@ export class Opening {
       current();
       const previewed = await preview;
       this.#current = origin;
-      messages.settle("open");
+      if (previewed) messages.settle("open");
       await this.#begin(origin, summary, previewed);
       this.#app.note({ ...summary.timings, first_picture: performance.now() - began });
       task.end();
@@ -182,8 +185,7 @@ export class Opening {
   /** Say where one looks, if it is not where one would think. @param {MeshSummary} summary @param {boolean} kept */
   #tellView({ cells, framed_cells: framed, extent, frame }, kept) {
     const { messages, views } = this.#app;
-    messages.settle("kept");
-    messages.settle("frame");
+    messages.settleMesh();
     if (kept)
       messages.say("note", "The view of the mesh before was kept", {
         topic: "kept",

@@ -105,6 +105,7 @@ export class Saving {
   async #tried(save) {
     try {
       await save();
+      this.#app.messages.settle("save");
     } catch (error) {
       this.#app.messages.error(error, { topic: "save" });
     }

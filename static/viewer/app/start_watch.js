@@ -40,7 +40,7 @@ export class StartWatch {
       const seconds = Math.round(this.patience / 1000);
       this.#messages.say(
         "warning",
-        `Python takes long to start: nothing has come for ${seconds} s${this.#last ? `, after ${this.#last}` : ""}. The network may be slow or gone`,
+        `The measuring engine takes long to load: nothing has come for ${seconds} s${this.#last ? `, after ${this.#last}` : ""}. The network may be slow or gone`,
         { topic: "start", action: { name: "try again", press: () => location.reload() } },
       );
     }, this.patience);

@@ -12,6 +12,7 @@ import { helpDialog } from "../dialogs/help.js";
 import { imageDialog } from "../dialogs/image.js";
 import { shareDialog } from "../dialogs/share.js";
 import { statusDialog } from "../dialogs/status_editor.js";
+import { meshName } from "./mesh_name.js";
 import { messageList } from "./message_list.js";
 import { progressBar } from "./progress_bar.js";
 import { emptyState } from "./empty_state.js";
@@ -34,7 +35,14 @@ export class Page {
     };
     place("bar", ...bar(context, this.dialogs));
     place("panel", ...SECTIONS.map((section) => renderSection(context, section)));
-    place("view", progressBar(context), emptyState(context), inspector(context), messageList(context));
+    place(
+      "view",
+      meshName(context),
+      progressBar(context),
+      emptyState(context),
+      inspector(context),
+      messageList(context),
+    );
     place("status-line", ...statusLine(context));
     document.body.append(...Object.values(this.dialogs));
     pictureInWords(context, canvas);

@@ -15,12 +15,12 @@ export function catalogueChooser(context) {
   const sources = h("select", {
     id: "catalogue-source",
     class: "choice",
-    onchange: () => app.chooseSource(sources.value),
+    onchange: () => app.chooseSource(sources.value).then(show),
   });
   const meshes = h("select", {
     id: "catalogue-mesh",
     class: "choice",
-    onchange: () => app.chooseEntry(sources.value, meshes.value),
+    onchange: () => app.chooseEntry(sources.value, meshes.value).then(show),
   });
   const rows = [
     h(
@@ -34,7 +34,8 @@ export function catalogueChooser(context) {
   const reference = h("div", { class: "reference" });
   const element = h("div", { class: "catalogue-chooser" }, ...rows, reference);
 
-  watch(context, { facts: ["catalogue", "source", "entry", "summary"] }, () => {
+  /** What is on the screen. */
+  function show() {
     const catalogue = facts.get("catalogue");
     const source = facts.get("source");
     const entry = facts.get("entry");
@@ -45,7 +46,8 @@ export function catalogueChooser(context) {
     fill(meshes, meshOptions(source));
     meshes.value = entry && entry.source.slug === source?.slug ? entry.mesh.slug : "";
     reference.replaceChildren(...(entry ? shortReference(entry.source) : []));
-  });
+  }
+  watch(context, { facts: ["catalogue", "source", "entry", "summary"] }, show);
   return element;
 }
 

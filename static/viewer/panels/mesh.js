@@ -46,7 +46,7 @@ function headline(context) {
     const summary = context.facts.get("summary");
     element.hidden = !summary;
     if (summary)
-      element.textContent = `${kindsInWords(summary.kinds)}; ${counted(summary.vertices, "vertex", "vertices")}`;
+      element.textContent = `${kindsInWords(summary.kinds) || counted(summary.cells, "cell")}; ${counted(summary.vertices, "vertex", "vertices")}`;
   });
   return element;
 }

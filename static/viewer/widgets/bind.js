@@ -15,8 +15,8 @@
  * @typedef {object} Actions  what the page asks of the application that is more than a setting
  * @property {string} root address of the site's root
  * @property {(files: readonly File[]) => Promise<unknown>} openFiles
- * @property {(source: string) => void} chooseSource
- * @property {(source: string, mesh: string) => void} chooseEntry
+ * @property {(source: string) => Promise<void>} chooseSource
+ * @property {(source: string, mesh: string) => Promise<void>} chooseEntry
  * @property {(cell: number | null) => unknown} inspect
  * @property {(cell: number) => unknown} flyTo
  * @property {(tool: import("../state/facts.js").PickingTool, cell: number) => void} pick

@@ -1,5 +1,5 @@
 import { clamp, parsed, typed } from "../state/numbers.js";
-import { h } from "./dom.js";
+import { freshId, h } from "./dom.js";
 
 /**
  * A box for one number: shows three decimals, takes what is typed on Enter or when left, steps with the arrow keys.
@@ -16,6 +16,7 @@ import { h } from "./dom.js";
 export function numberField({ label, digits = 3, range, write, optional = false }) {
   /** @type {number | null} */
   let given = null;
+  const note = h("span", { class: "refusal", role: "alert" });
   const element = h("input", {
     type: "text",
     inputmode: "decimal",
@@ -41,7 +42,11 @@ export function numberField({ label, digits = 3, range, write, optional = false 
   /** @param {boolean} refused */
   function mark(refused) {
     element.setAttribute("aria-invalid", String(refused));
-    element.title = refused ? "This is no number: mend it, or press Escape" : "";
+    if (!refused) return note.remove();
+    note.textContent = `‘${element.value.trim().slice(0, 12)}’ is no number: mend it, or press Escape`;
+    element.after(note);
+    note.id ||= freshId("refusal");
+    element.setAttribute("aria-errormessage", note.id);
   }
 
   /** @param {KeyboardEvent} event */

@@ -29,7 +29,7 @@ function parts(/** @type {object} */ colour, shares = 3) {
   };
   const tables = { metrics: [{ id: "shape_and_size", name: "Shape and Size", symbol: "SHS" }] };
   const said = /** @type {any[]} */ ([]);
-  const messages = { error: (/** @type {any} */ error) => said.push(error) };
+  const messages = { settle: () => {}, error: (/** @type {any} */ error) => said.push(error) };
   const scene = { highlight() {} };
   const app = /** @type {any} */ ({ store, facts, client, tables, messages, scene });
   return { cells: new Cells(app), asked, facts, said };

@@ -11,6 +11,8 @@ const LETTERS = [
   [-1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 0, -1],
   [-1, 1, 1, 1, 1, 1, -1, -1, -1, -1, 1, -1],
 ];
+/** From the middle of its corner to the rim: an axis is 1 long, its letter ends at 1.4, and lines have a width. */
+const REACH = 1.6;
 const POINT = new Vector3();
 
 /**
@@ -18,7 +20,7 @@ const POINT = new Vector3();
  */
 export class Gizmo {
   scene = new Scene();
-  #camera = new OrthographicCamera(-1.45, 1.45, 1.45, -1.45, -2, 2);
+  #camera = new OrthographicCamera(-REACH, REACH, REACH, -REACH, -2, 2);
   #lines = new LinesLayer(AXES.map((colour) => ({ colour, ink: 1 })));
 
   /** Of the eye, when the strokes were made. */

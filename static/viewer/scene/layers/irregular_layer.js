@@ -20,6 +20,26 @@ const STEPS = [
 
 const INK = VALENCE_STYLES.map(() => ({ colour: "#000000", ink: 1 }));
 
+/** Edges up to which wires are as broad as they can be. */
+const FEW = 400;
+
+/** Least part of their width, and of their ink, that wires keep however many they are. */
+const THINNEST = 0.4;
+const FAINTEST = 0.08;
+
+/**
+ * How broad wires are, and how much ink they have, 0 to 1: they thin with their number, and fade where they are many more than
+ * the faces that they stand among.
+ *
+ * @param {number} edges
+ * @param {number} faces that are shown
+ */
+export function crowding(edges, faces) {
+  const width = Math.max(THINNEST, Math.min(1, (FEW / Math.max(1, edges)) ** 0.25));
+  const ink = Math.max(FAINTEST, Math.min(1, Math.sqrt((2 * faces) / Math.max(1, edges))));
+  return { width, ink };
+}
+
 /** @type {import("../../geometry/records.js").Irregular} */
 const NOTHING = {
   edges: new Float32Array(0),
@@ -45,6 +65,7 @@ export class IrregularLayer {
   #paper = pair((seeThrough) => new PaperLayer({ seeThrough }));
   /** Of all edges. @type {import("../../geometry/box.js").Box | null} */
   box = null;
+  #faces = 0;
   #mode = 1;
   #boundary = false;
   /** @type {import("../../geometry/records.js").Irregular | null} */
@@ -55,8 +76,6 @@ export class IrregularLayer {
     for (const through of [1, 0]) for (const layer of layers) this.group.add(layer[through].mesh);
     // Not pulled: ends that dive into the surface would show as dots.
     for (const lines of [...this.#wires, ...this.#barbs, ...this.#folds]) lines.pull = 0;
-    for (const barb of this.#barbs) barb.width = 1;
-    for (const fold of this.#folds) fold.width = 1.5;
   }
 
   /** @param {import("../../geometry/records.js").Irregular | null} irregular */
@@ -106,15 +125,25 @@ export class IrregularLayer {
     this.#show();
   }
 
+  /** Faces that are shown, among which the edges stand. @param {number} faces */
+  set among(faces) {
+    if (faces === this.#faces) return;
+    this.#faces = faces;
+    this.#show();
+  }
+
   #show() {
     const step = STEPS[this.#mode];
+    const { width, ink } = crowding(this.#wires[0].count, this.#faces);
     // Thin between barbs, which a broad wire would swallow.
-    for (const wire of this.#wires) wire.width = step.barbs[0] > 0 ? 1.25 : 1.75;
+    for (const wire of this.#wires) wire.width = (step.barbs[0] > 0 ? 1.25 : 1.75) * width;
+    for (const barb of this.#barbs) barb.width = width;
+    for (const fold of this.#folds) fold.width = 1.5 * width;
     for (const through of [0, 1]) {
-      show(this.#wires[through], step.wires[through]);
-      show(this.#barbs[through], step.barbs[through]);
-      show(this.#paper[through], step.paper[through]);
-      show(this.#folds[through], through ? step.paper[1] / 3 : step.paper[0]);
+      show(this.#wires[through], ink * step.wires[through]);
+      show(this.#barbs[through], ink * step.barbs[through]);
+      show(this.#paper[through], ink * step.paper[through]);
+      show(this.#folds[through], ink * (through ? step.paper[1] / 3 : step.paper[0]));
     }
   }
 

@@ -60,6 +60,7 @@ export class Layers {
   /** @param {import("../../geometry/records.js").Surface | null} surface */
   setSurface(surface) {
     this.surface.set(surface);
+    this.irregular.among = surface?.faces.length ?? 0;
     this.#edged = false;
     this.highlight.set(surface, null);
   }
