@@ -28,7 +28,8 @@ console.log(JSON.stringify([...KEYS, ...OTHER_KEYS].map(({ group, keys, what }) 
 """
 
 CHAPTERS = (
-    ("window", "The window"), ("slice", "Slice"), ("peel", "Peel"), ("quality", "Quality filter"),
+    ("window", "The window"), ("view", "The view of the next mesh"), ("slice", "Slice"), ("peel", "Peel"),
+    ("quality", "Quality filter"),
     ("picking", "Picking by hand"), ("regularise", "Regularise"), ("separation", "Separation"), ("colour", "Colour"),
     ("silhouette", "Silhouette"), ("irregular", "Irregular edges"), ("lighting", "Light"),
     ("histogram", "Histogram and statistics"), ("diagnosis", "Diagnosis"), ("inspector", "One cell"),

@@ -73,6 +73,9 @@ class FilterStack:
         bands = _bands(filters.get("quality", {}))
         if bands:
             hidden = hidden | self._kept("quality", bands, lambda: self._outside(bands))
+        parts = _parts(filters.get("parts", {}))
+        if parts:
+            hidden = hidden | self._kept("parts", parts, lambda: self._in_hidden_parts(*parts))
         picking = filters.get("picking", {})
         if picking.get("enabled", True):
             isolated, dug, undug = (picking.get(name, ()) for name in ("isolated", "hidden", "shown"))
@@ -131,6 +134,13 @@ class FilterStack:
             hidden |= band(self._values(quantity), keep, minimum, maximum, worst)
         return hidden
 
+    def _in_hidden_parts(self, isolated: bool, hidden: tuple[int, ...], shown: tuple[int, ...]) -> Hidden:
+        """Cells of parts that are hidden."""
+        part, sizes = self._mesh.topology.parts
+        count = len(sizes)
+        some = (np.array([one for one in list if one < count], dtype=np.intp) for list in (hidden, shown))
+        return np.asarray(pick(np.zeros(count, dtype=bool), isolated, *some)[part])
+
     def _kept(self, name: str, key: Any, make: Callable[[], Hidden]) -> Hidden:
         """A filter's mask, made anew only if its settings changed."""
         if name not in self._masks or self._masks[name][0] != key:
@@ -163,6 +173,14 @@ def _bands(settings: Settings) -> Bands:
         for item in settings.get("items", ())
     )
     return tuple(row for row in rows if row[2] is not None or row[3] is not None)
+
+
+def _parts(settings: Settings) -> tuple[bool, tuple[int, ...], tuple[int, ...]] | None:
+    """Which parts are hidden: all but the shown, or some; None for none."""
+    isolated, hidden, shown = (settings.get(name, ()) for name in ("isolated", "hidden", "shown"))
+    if not settings.get("enabled", True) or not (isolated or len(hidden)):
+        return None
+    return bool(isolated), tuple(hidden), tuple(shown)
 
 
 def _number(settings: Settings, name: str) -> int:

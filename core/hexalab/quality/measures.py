@@ -39,7 +39,7 @@ def statistics(
     dict
         `count`, `min`, `max`, `mean`, `median`, `variance` (of the population), `percentiles` ("1", "5", "25", "75",
         "95", "99", interpolated linearly), `not_finite`, `outside_acceptable` (finite values outside the acceptable
-        range; 0 where there is none), `worst` (ids of at most ten cells, worst first, infinite values before all).
+        range; 0 where there is none), `worst` (ids of at most ten cells of finite value, worst first).
         Numbers are None where no value is finite, the variance also where it passes float64.
     """
     if isinstance(metric, str):
@@ -54,7 +54,7 @@ def statistics(
     finite = np.isfinite(values)
     sound = values if finite.all() else values[finite]
     low_is_worst = metric is None or metric.better == "high"
-    worst = _worst(values, low_is_worst)
+    worst = worst_first(values, low_is_worst)
     if considered is not None:
         worst = considered[worst]
     out: dict[str, Any] = {
@@ -117,16 +117,31 @@ def _percentiles(values: Floats, percents: tuple[int, ...]) -> list[float]:
     return [float(x) for x in between]
 
 
-def _worst(values: Floats, low_is_worst: bool) -> NDArray[np.int64]:
-    """Indices of the worst values, worst first, ties by id; NaN is none."""
+def worst_first(values: Array, low_is_worst: bool, count: int = WORST) -> NDArray[np.int64]:
+    """Find the worst of some values.
+
+    Parameters
+    ----------
+    values : (C,) float64
+        Those that are not finite are left out: they have no order.
+    low_is_worst : bool
+    count : int
+        At most so many.
+
+    Returns
+    -------
+    (n,) int64
+        Their indices, worst first, of equal ones in order.
+    """
     key = values if low_is_worst else -values
-    known = np.flatnonzero(~np.isnan(key)) if np.isnan(key).any() else None
+    finite = np.isfinite(key)
+    known = None if finite.all() else np.flatnonzero(finite)
     if known is not None:
         key = key[known]
-    if key.size > WORST:
-        limit = np.partition(key, WORST - 1)[WORST - 1]
+    if key.size > count:
+        limit = np.partition(key, count - 1)[count - 1]
         candidates = np.flatnonzero(key < limit)
-        ties = np.flatnonzero(key == limit)[: WORST - candidates.size]
+        ties = np.flatnonzero(key == limit)[: count - candidates.size]
         candidates = np.concatenate([candidates, ties])
     else:
         candidates = np.arange(key.size)

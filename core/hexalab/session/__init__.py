@@ -117,7 +117,8 @@ class Session:
         Returns
         -------
         dict
-            Facts as `hexalab.summarise` names them, `max_depth`, and `findings` with their severity.
+            Facts as `hexalab.summarise` names them, `max_depth`, `findings` with their severity, `shapes` (cells by
+            what they are or have collapsed to), `part_cells` (of the largest parts, at most `MOST_PARTS`).
         """
         opened = self._open_mesh()
         facts: Result = {}
@@ -231,6 +232,14 @@ class Session:
         """Return the statistics of a metric or an attribute; see `measuring.statistics_of`."""
         return measuring.statistics_of(self._open_mesh(), quantity)
 
+    def worst(self, quantity: str, count: int = 50) -> Result:
+        """Return the worst cells by a metric, or the highest by an attribute; see `measuring.worst_of`."""
+        return measuring.worst_of(self._open_mesh(), quantity, int(count))
+
+    def values(self, quantity: str) -> NDArray[np.float64]:
+        """Return the value of every cell, (C,) float64, not finite where a cell has none."""
+        return self._open_mesh().values(quantity)
+
     def histogram(self, quantity: str, bins: int = 100, shown_only: bool = False) -> Result:
         """Count the values of a metric or an attribute in bins; see `measuring.histogram_of`."""
         opened = self._open_mesh()
@@ -266,8 +275,20 @@ class Session:
         return self._open_mesh().mean_volumes.step()
 
     def cell_view(self, cell: int) -> Result:
-        """Return a cell's centre and size in drawing coordinates."""
+        """Return a cell's centre, size and edges in drawing coordinates; see `inspection.where`."""
         return inspection.where(self._open_mesh(), self._cell(cell))
+
+    def cut_to(self, cell: int, normal: list[float], rule: str = "barycentre") -> float:
+        """Return how far a plane has to go in, 0 to 1, to hide what is before a cell, which stays.
+
+        Parameters
+        ----------
+        cell : int
+        normal : (3,) float
+            Away from the eye.
+        rule : "barycentre" or "any_corner"
+        """
+        return self._open_mesh().cut_to(self._cell(cell), normal, rule)
 
     def neighbour(self, face_tag: int) -> int:
         """Return the cell behind a face (cell times 8 plus local face), -1 outside."""

@@ -10,12 +10,13 @@ from numpy.typing import NDArray
 from .. import attributes
 from ..arrays import Array
 from ..attributes import average_corners, cell_values
-from ..cells import CORNERS_OF_KIND, KINDS
+from ..cells import CORNERS_OF_KIND, EDGES, KINDS
 from ..diagnosis import Finding
 from ..mesh import Mesh
 from ..quality import METRICS, certify, quality_many
 from ..quality.sizes import NEEDS as SIZED
 from ..quality.validity import STATES
+from ..surface import Frame
 from .opened import Opened
 
 
@@ -127,12 +128,31 @@ def cell_attributes(mesh: Mesh, cell: int) -> dict[str, Any]:
 
 
 def where(opened: Opened, cell: int) -> dict[str, Any]:
-    """Return a cell's centre and size in drawing coordinates."""
+    """Tell where a cell lies, in drawing coordinates.
+
+    Returns
+    -------
+    dict
+        `centre` ([x, y, z]), `size` (of its box's diagonal), `edges` ((6 n,) float32: both ends of each edge that
+        has not vanished).
+    """
     mesh, frame = opened.mesh, opened.drawn_mesh.frame
     own = mesh.coordinates[:, mesh.corners[:, cell]]
     low, high = own.min(axis=1), own.max(axis=1)
     centre = (low / 2 + high / 2 - frame.centre) / frame.diagonal
-    return {"centre": centre.tolist(), "size": float(np.sqrt(((high - low) ** 2).sum())) / frame.diagonal}
+    return {
+        "centre": centre.tolist(),
+        "size": float(np.sqrt(((high - low) ** 2).sum())) / frame.diagonal,
+        "edges": _edges(mesh, frame, cell),
+    }
+
+
+def _edges(mesh: Mesh, frame: Frame, cell: int) -> NDArray[np.float32]:
+    """Both ends of a cell's edges in drawing coordinates, each edge once."""
+    corners = mesh.corners[:, cell]
+    pairs = {tuple(sorted((int(corners[a]), int(corners[b])))) for a, b in EDGES if corners[a] != corners[b]}
+    ends = mesh.points[np.array(sorted(pairs), dtype=np.intp).reshape(-1)]
+    return np.asarray((ends - frame.centre) / frame.diagonal, dtype=np.float32).reshape(-1)
 
 
 def cells_of(mesh: Mesh, finding: Finding) -> NDArray[np.uint32]:

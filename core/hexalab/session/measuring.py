@@ -7,8 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..mesh import cell_barycentres
 from ..packing import jsonable
 from ..quality import METRICS, histogram
+from ..quality.measures import worst_first
 from .opened import Opened
 
 Limits = tuple[float, float] | None
@@ -44,6 +46,34 @@ def statistics_of(opened: Opened, quantity: str) -> dict[str, Any]:
             worst, best = metric.denormalise(np.array([0.0, 1.0]), *reach)
             told.update(worst_value=worst, best_value=best)
     answer: dict[str, Any] = jsonable({**numbers, **told})
+    return answer
+
+
+def worst_of(opened: Opened, quantity: str, count: int) -> dict[str, Any]:
+    """Return the worst cells by a metric, or those of the highest values of an attribute.
+
+    Returns
+    -------
+    dict
+        `cells` (ids of at most `count` cells of finite value, worst first), their `values` and `places` (barycentres,
+        [x, y, z] each), and `not_finite`, ids of at most `count` cells that have no finite value though their kind
+        has the metric.
+    """
+    mesh, metric, values = opened.mesh, METRICS.get(quantity), opened.values(quantity)
+    cells = worst_first(values, metric is not None and metric.better == "high", count)
+    bad = ~np.isfinite(values)
+    if metric is not None:
+        bad &= np.isin(mesh.kinds, metric.kinds)
+    some = mesh.corners[:, cells]
+    places = cell_barycentres(mesh.coordinates, some, mesh.kinds[cells])
+    answer: dict[str, Any] = jsonable(
+        {
+            "cells": cells.tolist(),
+            "values": values[cells].tolist(),
+            "places": places.T.tolist(),
+            "not_finite": np.flatnonzero(bad)[:count].tolist(),
+        }
+    )
     return answer
 
 

@@ -21,10 +21,17 @@ from ..status import OpenMesh
 from ..status.views import three_quarters
 from ..summary import STRUCTURE
 from ..surface import DrawnMesh, Irregular, extract_irregular, long_axis, outline, placed_within
+from ..topology.shapes import SHAPES, shapes
 from .mean_volumes import MeanVolumes
 
-DESCRIBED = (*STRUCTURE, "findings")
+DESCRIBED = (*STRUCTURE, "shapes", "parts", "findings")
 """Parts of a description, to be asked for one by one."""
+
+CLEARANCE = 1e-9
+"""Part of a plane's way by which it stays before a cell that it is to reach."""
+
+MOST_PARTS = 100
+"""So many parts are told one by one."""
 
 MOST_BYTES_OF_VALUES = 96 * 2**20
 """Values per cell are kept up to this size, the least used leave first."""
@@ -83,6 +90,11 @@ class Opened:
         }
 
     @cached_property
+    def shapes(self) -> NDArray[np.uint8]:
+        """(C,) uint8: what each cell is, or has collapsed to, an index into `SHAPES`."""
+        return shapes(self.mesh.kinds, self.mesh.corners, self.mesh.topology.repeating_cells)
+
+    @cached_property
     def filters(self) -> FilterStack:
         """The filters, with what they keep between two settings."""
         return FilterStack(self.mesh, self.values, self.drawn_mesh.topology)
@@ -111,6 +123,11 @@ class Opened:
                 for found in self.findings
             ]
             return {"findings": rows}
+        if part == "shapes":
+            counts = np.bincount(self.shapes, minlength=len(SHAPES))
+            return {"shapes": {name: int(count) for name, count in zip(SHAPES, counts, strict=True) if count}}
+        if part == "parts":
+            return {"part_cells": self.mesh.topology.parts[1][:MOST_PARTS].tolist()}
         if part not in STRUCTURE:
             raise HexaLabError(f"there is no part {part!r} of a description, but {', '.join(DESCRIBED)}")
         facts = STRUCTURE[part](self.mesh)
@@ -200,7 +217,10 @@ class Opened:
             return np.asarray(1 - metric.normalise(values, *reach))
         low, high = sorted(limits or reach)
         with np.errstate(invalid="ignore", over="ignore"):
-            share = (values / 2 - low / 2) / (high / 2 - low / 2) if high > low else (values > low) * 1.0
+            if high > low:
+                share = (values / 2 - low / 2) / (high / 2 - low / 2)
+            else:  # all values are alike, or the range was set to a single one
+                share = (values > low) * 1.0 if limits else np.zeros(len(values))
             normal = np.clip(share, 0, 1)
         normal = np.where(np.isfinite(values), normal, np.nan)
         turned = metric is not None and metric.better == "high"
@@ -232,6 +252,13 @@ class Opened:
         middle = float((unit(plane["normal"]) * frame.centre).sum())
         places = self.filters.places(plane["normal"], rule)
         return [(end - middle) / frame.diagonal for end in (places.low, places.high)]
+
+    def cut_to(self, cell: int, normal: list[float], rule: str) -> float:
+        """Return where a plane's slider stands when the plane has just reached a cell."""
+        places = self.filters.places(normal, rule)
+        reach = float(places.high - places.low)
+        share = (float(places.along[cell]) - places.low) / reach if reach > 0 else 0.0
+        return float(min(max(share - CLEARANCE, 0.0), 1.0))
 
     def for_original(self) -> OpenMesh:
         """Return what the conversion of the original's documents must know of the mesh."""

@@ -15,6 +15,15 @@ from .opened import Opened
 Settings = dict[str, Any]
 Shown = NDArray[np.bool_]
 
+CATEGORIES: dict[str, tuple[str, Callable[[Opened], NDArray[Any]]]] = {
+    "kind": ("Cell kind", lambda opened: opened.shapes),
+    "part": ("Part", lambda opened: opened.mesh.topology.parts[0]),
+}
+"""What cells are coloured by that has no scale: its name, and the number of each cell's category."""
+
+COLOURS = 256
+"""The viewer's palettes have so many entries."""
+
 BARBED = (3, 4)
 PAPER = (5, 6)
 
@@ -57,7 +66,7 @@ class Picture:
         if irregular is not None and not pending:
             self._renew(parts, "irregular", irregular, self._extract_irregular, *irregular)
         colour = settings["colour"]
-        coloured = (quantity_of(colour), _frozen(colour["range"]) if colour["by"] != "kind" else None)
+        coloured = (quantity_of(colour), _frozen(colour["range"]) if colour["by"] not in CATEGORIES else None)
         self._renew(parts, "colour", coloured, self.colour, colour)
         parts["pending"] = ["irregular"] if pending else []
         return parts
@@ -79,12 +88,14 @@ class Picture:
         opened, quantity = self.opened, quantity_of(colour)
         if quantity is None:
             return None
-        if quantity == "kind":
-            kinds = opened.mesh.kinds.astype(np.float32)
+        if quantity in CATEGORIES:
+            label, categories = CATEGORIES[quantity]
+            places = categories(opened).astype(np.float32)
+            places %= COLOURS
             return {
-                "map_position": kinds,
+                "map_position": places,
                 "quantity": quantity,
-                "label": "Cell kind",
+                "label": label,
                 "low": None,
                 "high": None,
             }
@@ -139,9 +150,14 @@ class Picture:
 
 
 def quantity_of(colour: Settings) -> str | None:
-    """Return what cells are coloured by: a metric's or an attribute's id, "kind", or None for sides."""
+    """Return what cells are coloured by: a metric's or an attribute's id, a category, or None for sides."""
     by = colour["by"]
-    return {"quality": colour["metric"], "attribute": colour["attribute"], "kind": "kind"}.get(by)
+    return {
+        "quality": colour["metric"],
+        "attribute": colour["attribute"],
+        "kind": "kind",
+        "part": "part",
+    }.get(by)
 
 
 def _size(separation: Settings) -> float | None:

@@ -122,6 +122,13 @@ FILTERS = section(
         enabled=ON,
         items={"type": "array", "items": QUALITY_BAND, "maxItems": 32, "default": []},
     ),
+    parts=section(
+        "Parts that share no face, by number: 0 is the one of most cells.",
+        enabled=ON,
+        isolated={"type": "boolean", "default": False, "description": "Hide all but the shown"},
+        hidden=CELL_IDS,
+        shown=CELL_IDS,
+    ),
     picking=section(
         "Cells hidden and shown by hand.",
         enabled=ON,
@@ -142,7 +149,7 @@ SEPARATION = section(
 
 COLOUR_BY = section(
     "What the faces are coloured by.",
-    by=core(choice("sides", "quality", "attribute", "kind")),
+    by=core(choice("sides", "quality", "attribute", "kind", "part")),
     outside={**COLOUR, "default": "#ffffff", "description": "Faces of the boundary"},
     inside={**COLOUR, "default": "#ffff00", "description": "Faces that filters expose"},
     metric=core({"type": "string", "minLength": 1, "default": "scaled_jacobian"}),

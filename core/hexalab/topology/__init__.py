@@ -241,6 +241,16 @@ class Topology:
         """(C,) int32: each cell's face-connected component, numbered in order of their first cells."""
         return self._components[0]
 
+    @cached_property
+    def parts(self) -> tuple[Ids, Ids]:
+        """(C,) int32 part that each cell is in, and (P,) int32 cells of each part: components, the largest first."""
+        labels, count = self._components
+        sizes = np.bincount(labels, minlength=count)
+        order = np.argsort(-sizes, kind="stable")
+        rank = np.empty(count, np.int32)
+        rank[order] = np.arange(count, dtype=np.int32)
+        return rank[labels], sizes[order].astype(np.int32)
+
     @property
     def component_count(self) -> int:
         """Number of face-connected components."""

@@ -1,3 +1,5 @@
+import { readZip } from "../files/zip.js";
+
 /**
  * `window.hexalab`: the viewer for scripts, tests and embedding pages (SPEC A3).
  *
@@ -102,11 +104,12 @@ export class HexaLab {
    *
    * @param {Blob} archive a zip of meshes; `name.json` beside a mesh is its own status
    * @param {unknown} [status] whole or partial, for all others; the present one without
-   * @param {{ width?: number, height?: number, report?: (done: number, of: number, name: string) => void }} [options]
+   * @param {{ width?: number, height?: number, report?: (done: number, of: number, name: string, failed: number) => void }} [options]
    * @returns {Promise<Blob>} a zip of pictures, histograms and measurements.csv
    */
   async batch(archive, status, options = {}) {
-    return this.#app.batch.run(await archive.arrayBuffer(), { ...options, status });
+    const { zip } = await this.#app.batch.run(readZip(await archive.arrayBuffer()), { ...options, status });
+    return zip;
   }
 
   /** What is drawn at the moment: faces, triangles, edges, cells, and how many frames so far. @returns {{ faces: number, triangles: number, edges: number, cells: number, frames: number }} */

@@ -4,11 +4,14 @@ import { Documents } from "./documents.js";
 import { Drawing } from "./drawing.js";
 import { Measures } from "./measures.js";
 import { Messages } from "./messages.js";
-import { Files } from "./files.js";
+import { Files, foundOf } from "./files.js";
+import { LastFiles } from "./last_files.js";
 import { fromUrl, Opening } from "./opening.js";
+import { rememberPreferences } from "./preferences.js";
 import { Progress } from "./progress.js";
 import { Saving } from "./saving.js";
 import { StartWatch } from "./start_watch.js";
+import { Steps } from "./steps.js";
 import { Views } from "./views.js";
 import { Superseded } from "../core/client.js";
 import { Batch } from "../batch/batch.js";
@@ -58,6 +61,8 @@ export class App {
     this.opening = new Opening(this);
     this.views = new Views(this);
     this.files = new Files(this);
+    this.steps = new Steps(this);
+    this.lastFiles = new LastFiles(this);
     this.batch = new Batch(this);
   }
 
@@ -111,7 +116,6 @@ export class App {
       });
     });
     scene.on("camera", (camera) => store.set({ camera }, { undo: "camera" }));
-    scene.on("cameraend", () => store.seal());
     scene.on("contextlost", () =>
       messages.say(
         "warning",
@@ -121,6 +125,9 @@ export class App {
     );
     scene.on("contextrestored", () => messages.settle("context"));
     this.catalogue = this.#fetchCatalogue();
+    rememberPreferences(facts);
+    this.steps.start();
+    void this.lastFiles.start();
     setTimeout(() => scene.warmUp());
   }
 
@@ -160,16 +167,26 @@ export class App {
    * @param {readonly (File | import("./files.js").Found)[]} files @returns {Promise<MeshSummary | null>} the mesh's summary, or null if there was none
    */
   async openFiles(files) {
-    const summary = await this.files.open(files);
-    if (summary) nameInAddress(null);
+    this.steps.leave();
+    const found = foundOf(files);
+    const summary = await this.files.open(found);
+    if (!summary) return null;
+    this.steps.add(null, () => this.files.open(found));
+    void this.lastFiles.keep(found);
     return summary;
+  }
+
+  /** Offer pictures and measurements of many meshes. @param {readonly (File | import("./files.js").Found)[]} files */
+  offerBatch(files) {
+    return this.files.offerBatch(foundOf(files));
   }
 
   /** @param {string} address @param {unknown} [status] */
   async openUrl(address, status) {
+    this.steps.leave();
     const whole = this.#meshAddress(address);
     const summary = await this.opening.open({ ...fromUrl(whole), status });
-    nameInAddress(whole);
+    this.steps.add(whole, () => this.opening.open(fromUrl(whole)));
     return summary;
   }
 
@@ -207,6 +224,7 @@ export class App {
   /** Open a mesh of the catalogue. @param {string} source @param {string} mesh @param {unknown} [status] */
   async openEntry(source, mesh, status) {
     if (!mesh) return null;
+    this.steps.leave();
     const catalogue = await this.catalogue;
     const entry = catalogue?.entry(source, mesh);
     if (!entry) {
@@ -216,7 +234,7 @@ export class App {
     }
     const url = this.#meshAddress(entry.mesh.url);
     const summary = await this.opening.open({ ...fromUrl(url), entry, status });
-    nameInAddress(`${source}/${mesh}`);
+    this.steps.add(`${source}/${mesh}`, () => this.opening.open({ ...fromUrl(url), entry }));
     return summary;
   }
 
@@ -237,6 +255,11 @@ export class App {
     return this.cells.flyTo(cell);
   }
 
+  /** @param {number} cell */
+  cutTo(cell) {
+    return this.cells.cutTo(cell);
+  }
+
   /** @param {import("../state/facts.js").PickingTool} action @param {number} cell */
   pick(action, cell) {
     this.cells.pick(action, cell);
@@ -245,6 +268,14 @@ export class App {
   /** @param {{ id: string, message: string }} finding */
   showFinding(finding) {
     return this.cells.showFinding(finding);
+  }
+
+  saveWorst() {
+    return this.saving.saveWorst();
+  }
+
+  saveValues() {
+    return this.saving.saveValues();
   }
 
   /** @param {import("../widgets/bind.js").ChartFormat} format */
@@ -256,13 +287,4 @@ export class App {
 /** @param {number} files that have come */
 function loadingInWords(files) {
   return `loading the measuring engine${files ? `, ${counted(files, "file")} so far` : ""}`;
-}
-
-/** Let the page's address name the open mesh, so that a link to it is right. @param {string | null} mesh null for a local file */
-function nameInAddress(mesh) {
-  const address = new URL(location.href);
-  if (new URLSearchParams(address.search).get("mesh") === mesh) return;
-  address.search = mesh === null ? "" : `?mesh=${mesh.includes(":") ? encodeURIComponent(mesh) : mesh}`;
-  address.hash = "";
-  history.replaceState(null, "", address);
 }

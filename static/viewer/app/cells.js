@@ -1,5 +1,6 @@
 import { Superseded } from "../core/client.js";
 import { cameraOnCell } from "../state/camera.js";
+import { planesOf, withPlane } from "../state/planes.js";
 import { quantityOf } from "../state/quantity.js";
 import { dig, isolate, undig } from "../state/picking.js";
 import { FLIGHT } from "./views.js";
@@ -22,6 +23,8 @@ export class Cells {
     const asked = ++this.#asked;
     if (cell === null) {
       scene.highlight(null);
+      scene.mark(null);
+      scene.covered = 0;
       return facts.set({ cell: null });
     }
     try {
@@ -31,6 +34,9 @@ export class Cells {
         return found;
       };
       const { pending } = await look();
+      const view = await client.call("cell_view", [cell]);
+      if (asked !== this.#asked) return;
+      scene.mark(view.edges);
       this.#app.messages.settle("inspect");
       if (!pending.length) return;
       await this.#measureSizes();
@@ -67,14 +73,31 @@ export class Cells {
     }
   }
 
-  /** Bring a cell before the camera, and inspect it. @param {number} cell */
+  /** Bring a cell before the camera, beside the inspector, and inspect it. @param {number} cell */
   async flyTo(cell) {
-    const { client, store, messages } = this.#app;
+    const { client, store, messages, scene } = this.#app;
     try {
       const view = await client.call("cell_view", [cell]);
-      store.seal();
-      store.set({ camera: cameraOnCell(store.status.camera, view) });
+      store.set({ camera: cameraOnCell(store.status.camera, view) }, { undo: "fly" });
       await this.inspect(cell);
+      scene.covered = coveredByInspector();
+    } catch (error) {
+      messages.error(error, { topic: "inspect" });
+    }
+  }
+
+  /** Put the plane at hand through a cell, so that the cut faces the eye. @param {number} cell */
+  async cutTo(cell) {
+    const { client, store, messages } = this.#app;
+    const { planes, index } = planesOf(this.#app);
+    const { rule } = store.status.filters.planes;
+    const { direction } = store.status.camera;
+    try {
+      const offset = await client.call("cut_to", [cell, direction, rule]);
+      const cut = { enabled: true, normal: direction, offset };
+      const items = planes.length ? withPlane(planes, index, cut) : [cut];
+      store.seal();
+      store.set({ filters: { planes: { enabled: true, items } } });
     } catch (error) {
       messages.error(error, { topic: "inspect" });
     }
@@ -126,4 +149,13 @@ export class Cells {
       messages.error(error, { topic: "finding" });
     }
   }
+}
+
+/** CSS pixels at the right of the picture that the inspector covers; none where it is a sheet below. */
+function coveredByInspector() {
+  const inspector = document.querySelector(".inspector");
+  const canvas = document.getElementById("canvas");
+  if (!inspector || !canvas) return 0;
+  const [left, right] = [inspector.getBoundingClientRect().left, canvas.getBoundingClientRect().right];
+  return left > canvas.getBoundingClientRect().left + 1 ? Math.max(0, right - left) : 0;
 }

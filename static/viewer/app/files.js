@@ -28,9 +28,8 @@ export class Files {
     this.#app = app;
   }
 
-  /** @param {readonly (File | Found)[]} given @returns {Promise<MeshSummary | null>} */
-  async open(given) {
-    const found = given.map((one) => (one instanceof File ? { file: one, path: one.name } : one));
+  /** @param {readonly Found[]} found @returns {Promise<MeshSummary | null>} */
+  async open(found) {
     const kinds = new Map(await Promise.all(found.map(async (one) => kindOf(one))));
     const meshes = await wholes(found, this.#isMesh, ({ file, path }) => includedIn(file, path));
     const parts = new Set(meshes.flatMap((one) => one.parts));
@@ -47,7 +46,7 @@ export class Files {
       .slice(0, 1)
       .map((mesh) => ({ mesh, parts: [] }));
     const [first, ...others] = meshes.length ? meshes : unnamed; // without a known ending, it may be called anything
-    if (first) return this.#openFirst(first, others, layers, meshes.length > 0);
+    if (first) return this.#openFirst(first, { others, layers, named: meshes.length > 0, found });
     for (const layer of layers) await this.#applied(layer);
     return null;
   }
@@ -55,8 +54,35 @@ export class Files {
   /** @param {string} path */
   #isMesh = (path) => meshesOf([{ name: path }], this.#app.tables.formats).length > 0;
 
-  /** @param {Whole<Found>} first @param {Whole<Found>[]} others meshes that came with it @param {object[]} layers @param {boolean} named whether it is called a mesh */
-  async #openFirst({ mesh, parts }, others, layers, named) {
+  /**
+   * Offer a picture and the measurements of each of these, or of each in the archive among them.
+   *
+   * @param {readonly Found[]} found
+   */
+  async offerBatch(found) {
+    const [archive] = found.filter(({ path }) => /\.zip$/i.test(path));
+    try {
+      const entries = archive
+        ? readZip(await bytesOf(archive.file))
+        : found.map(({ file, path }) => ({
+            name: path,
+            read: async () => new Uint8Array(await bytesOf(file)),
+          }));
+      const { length: count } = await meshesIn(entries, this.#app.tables.formats);
+      if (!count) throw new Error(`there is no mesh among them. ${this.#whatIsRead}`);
+      const name = archive?.path ?? `${found.length} files`;
+      this.#app.facts.set({ archive: { name, entries, count } });
+    } catch (error) {
+      this.#app.messages.error(error, { topic: "open" });
+    }
+  }
+
+  /**
+   * @param {Whole<Found>} first
+   * @param {{ others: Whole<Found>[], layers: object[], named: boolean, found: readonly Found[] }} among meshes and settings that
+   *   came with it; whether it is called a mesh; all that came
+   */
+  async #openFirst({ mesh, parts }, { others, layers, named, found }) {
     const { opening, messages } = this.#app;
     try {
       const summary = await opening.open({
@@ -68,7 +94,10 @@ export class Files {
         messages.say(
           "note",
           `One mesh is shown at a time: ${mesh.path} was opened, ${others.length} more left out`,
-          { topic: "drop" },
+          {
+            topic: "drop",
+            action: { name: "pictures of all", press: () => void this.offerBatch(found) },
+          },
         );
       return summary;
     } catch (error) {
@@ -85,13 +114,12 @@ export class Files {
   /** The mesh in an archive; several are offered as a batch. @param {File} file @param {object[]} layers @returns {Promise<MeshSummary | null>} */
   async #openArchive(file, layers) {
     try {
-      const buffer = await bytesOf(file);
-      const entries = readZip(buffer);
+      const entries = readZip(await bytesOf(file));
       const [first, ...others] = await meshesIn(entries, this.#app.tables.formats);
       if (!first) throw new Error("the archive holds no mesh");
       if (others.length) {
         for (const layer of layers) await this.#applied(layer);
-        this.#app.facts.set({ archive: { name: file.name, buffer, count: others.length + 1 } });
+        this.#app.facts.set({ archive: { name: file.name, entries, count: others.length + 1 } });
         return null;
       }
       const all = [...(await settingsBeside(first.mesh, entries)), ...layers];
@@ -137,6 +165,11 @@ export class Files {
       return [];
     }
   }
+}
+
+/** Files that came by themselves, and with their paths, alike. @param {readonly (File | Found)[]} given @returns {Found[]} */
+export function foundOf(given) {
+  return given.map((one) => (one instanceof File ? { file: one, path: one.name } : one));
 }
 
 /** @param {Found[]} files @returns {Promise<Record<string, ArrayBuffer>>} */

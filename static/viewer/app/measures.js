@@ -65,6 +65,17 @@ export class Measures {
       histogram: { ...histogram, asked },
     });
     this.#app.note({ quality: client.milliseconds.quality });
+    await this.#findWorst(id);
+  }
+
+  /** The worst cells by the metric or attribute that is looked at. @param {string} id */
+  async #findWorst(id) {
+    const { facts } = this.#app;
+    const summary = facts.get("summary");
+    if (facts.get("worst")?.quantity === id) return;
+    const worst = await this.#ask("worst", [id]);
+    if (worst && facts.get("summary") === summary && quantityOf(this.#app).id === id)
+      facts.set({ worst: { ...worst, quantity: id } });
   }
 
   /**

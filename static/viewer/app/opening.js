@@ -108,6 +108,19 @@ export class Opening {
     }
   }
 
+  /** Remember what is open, and its settings: the function that is returned comes back to them. @returns {() => Promise<void>} */
+  mark() {
+    const origin = this.#current;
+    const { status, touched } = this.#app.store;
+    const changed = new Set(touched);
+    return async () => {
+      if (!origin || origin === this.#current) return this.#app.documents.replaceBy([status]);
+      const bytes = () => origin.kept?.arrayBuffer() ?? origin.bytes(() => {});
+      await this.open({ ...origin, bytes, status: undefined, layers: [status] });
+      this.#app.store.touch(changed);
+    };
+  }
+
   /** Open the present mesh again: the core was restarted, or holds another. */
   async reopen() {
     if (!this.#current) return;

@@ -16,6 +16,23 @@ export function saveFile(blob, name) {
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }
 
+/** Worst cells that are listed in a file, and rows that are written at a time. */
+const LISTED = 1000;
+const ROWS = 65_536;
+
+/** @param {readonly string[]} lines */
+const csvOf = (lines) => new Blob([lines.join("\r\n"), "\r\n"], { type: "text/csv" });
+
+/** @param {string} text */
+const quoted = (text) => (/[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+
+/** @param {string} id */
+const safe = (id) => id.replace(/[^\w-]+/g, "-");
+
+/** As numpy and most programs read it. @param {number} value */
+const written = (value) =>
+  Number.isFinite(value) ? String(value) : Number.isNaN(value) ? "nan" : value > 0 ? "inf" : "-inf";
+
 /** Pixels of a picture's side. */
 export const LARGEST_SIDE = 8192;
 
@@ -64,12 +81,40 @@ export class Saving {
     );
   }
 
+  /** The list of worst cells as CSV, the metric named in its head. */
+  async saveWorst() {
+    await this.#tried(async () => {
+      const { id } = quantityOf(this.#app);
+      const { cells, values, places } = await this.#app.client.call("worst", [id, LISTED]);
+      const rows = cells.map((cell, row) => [cell, values[row], ...places[row]].join(","));
+      saveFile(csvOf([`cell,${quoted(id)},x,y,z`, ...rows]), `${this.stem}-worst-${safe(id)}.csv`);
+    });
+  }
+
+  /** The value of every cell as CSV, the metric named in its head. */
+  async saveValues() {
+    await this.#tried(async () => {
+      const { id } = quantityOf(this.#app);
+      const values = await this.#app.client.call("values", [id]);
+      /** @type {string[]} */
+      const parts = [];
+      for (let first = 0; first < values.length; first += ROWS)
+        parts.push(
+          Array.from(
+            values.subarray(first, first + ROWS),
+            (value, row) => `${first + row},${written(value)}`,
+          ).join("\r\n"),
+        );
+      saveFile(csvOf([`cell,${quoted(id)}`, ...parts]), `${this.stem}-${safe(id)}.csv`);
+    });
+  }
+
   /** @param {ChartFormat} format */
   async saveHistogram(format) {
     await this.#tried(async () => {
       const blob = await this.histogram(format);
       const quantity = this.#app.facts.get("histogram")?.quantity ?? "";
-      if (blob) saveFile(blob, `${this.stem}-${quantity.replace(/[^\w-]+/g, "-")}.${format}`);
+      if (blob) saveFile(blob, `${this.stem}-${safe(quantity)}.${format}`);
     });
   }
 
@@ -78,7 +123,7 @@ export class Saving {
     const { store, facts } = this.#app;
     const data = facts.get("histogram");
     if (!data) return null;
-    if (format === "csv") return new Blob([toCsv(data)], { type: "text/csv" });
+    if (format === "csv") return new Blob([toCsv(data, data.quantity)], { type: "text/csv" });
     const quantity = quantityOf(this.#app);
     const { orientation, scale } = store.status.histogram;
     const title = `${quantity.name}, ${facts.get("summary")?.name ?? ""}`;

@@ -1,6 +1,6 @@
 import { CoreError, Superseded } from "../core/client.js";
 import { stemOf } from "../files/names.js";
-import { readZip, writeZip } from "../files/zip.js";
+import { writeZip } from "../files/zip.js";
 import { meshesIn, originIn, settingsBeside } from "./archive.js";
 
 /**
@@ -10,7 +10,7 @@ import { meshesIn, originIn, settingsBeside } from "./archive.js";
  *
  * @typedef {import("../files/zip.js").Entry} Entry
  * @typedef {{ width?: number, height?: number, status?: unknown, signal?: AbortSignal,
- *   report?: (done: number, of: number, name: string) => void }} Options
+ *   report?: (done: number, of: number, name: string, failed: number) => void }} Options
  * @typedef {Record<string, string | number>} Row
  * @typedef {import("../state/answers.js").Summary} Summary
  *
@@ -19,7 +19,8 @@ import { meshesIn, originIn, settingsBeside } from "./archive.js";
  * @property {Pick<import("../state/tables.js").Tables, "formats" | "metrics" | "statistics">} tables
  * @property {Pick<import("../state/facts.js").Facts, "get">} facts
  * @property {Pick<import("../core/client.js").CoreClient, "call">} client
- * @property {{ open: (origin: import("./archive.js").EntryOrigin & { layers: unknown[] }) => Promise<Summary> }} opening
+ * @property {{ open: (origin: import("./archive.js").EntryOrigin & { layers: unknown[] }) => Promise<Summary>, mark: () => () => Promise<void> }} opening mark: what
+ *   comes back to what is open
  * @property {{ replaceBy: (layers: readonly unknown[]) => Promise<void> }} documents
  * @property {{ drawn: () => Promise<void> }} drawing
  * @property {{ measured: () => Promise<void> }} measures
@@ -33,6 +34,13 @@ function freeName(stem, names) {
   for (let number = 2; names.has(free.toLowerCase()); number++) free = `${stem}-${number}`;
   names.add(free.toLowerCase());
   return free;
+}
+
+/** @param {readonly Row[]} rows */
+function failedOf(rows) {
+  return rows
+    .filter(({ problem }) => problem)
+    .map(({ name, problem }) => ({ name: String(name), problem: String(problem) }));
 }
 
 /** The table as CSV (RFC 4180), all columns that any row has. @param {readonly Row[]} rows */
@@ -56,14 +64,17 @@ export class Batch {
   }
 
   /**
-   * @param {ArrayBuffer} archive
+   * The mesh that was open is open again afterwards, under the settings that it had.
+   *
+   * @param {Entry[]} entries of an archive, or files
    * @param {Options} [options]
-   * @returns {Promise<Blob>} a zip: NAME.png and NAME-METRIC.png for each mesh, measurements.csv
+   * @returns {Promise<{ zip: Blob, failed: { name: string, problem: string }[] }>} a zip: NAME.png and NAME-METRIC.png for each
+   *   mesh, measurements.csv; and the meshes that failed
    */
-  async run(archive, { width, height, status, signal, report } = {}) {
-    const entries = readZip(archive);
+  async run(entries, { width, height, status, signal, report } = {}) {
     const meshes = await meshesIn(entries, this.#host.tables.formats);
-    if (!meshes.length) throw new Error("the archive holds no mesh");
+    if (!meshes.length) throw new Error("there is no mesh among them");
+    const comeBack = this.#host.opening.mark();
     const common = status ?? this.#present();
     const files = [];
     const rows = [];
@@ -71,17 +82,18 @@ export class Batch {
     try {
       for (const [index, whole] of meshes.entries()) {
         signal?.throwIfAborted();
-        report?.(index, meshes.length, whole.mesh.name);
+        report?.(index, meshes.length, whole.mesh.name, failedOf(rows).length);
         const { row, made } = await this.#one(whole, entries, common, names, { width, height });
         rows.push(row);
         files.push(...made);
       }
     } finally {
-      await this.#host.documents.replaceBy([common]).catch(() => {}); // what the last mesh had of its own goes, too
+      await comeBack().catch(() => {}); // which was told
     }
-    report?.(meshes.length, meshes.length, "");
+    const failed = failedOf(rows);
+    report?.(meshes.length, meshes.length, "", failed.length);
     files.push({ name: "measurements.csv", bytes: new TextEncoder().encode(toCsv(rows)) });
-    return writeZip(files);
+    return { zip: writeZip(files), failed };
   }
 
   /** The present settings; each mesh is seen in its own view where that was not changed. */

@@ -34,10 +34,11 @@ export function toSvg(data, { orientation, scale, title, colour, acceptable }) {
   return new XMLSerializer().serializeToString(svg);
 }
 
-/** One row per bin: lower edge, upper edge, count. @param {HistogramData} data @returns {string} */
-export function toCsv(data) {
+/** One row per bin: lower edge, upper edge, count; the head names what was measured. @param {HistogramData} data @param {string} quantity @returns {string} */
+export function toCsv(data, quantity) {
   const rows = Array.from(data.counts, (count, bin) => `${data.edges[bin]},${data.edges[bin + 1]},${count}`);
-  return ["low,high,count", ...rows, ""].join("\r\n");
+  const name = /[",]/.test(quantity) ? quantity.replaceAll(/[",]/g, " ") : quantity;
+  return [`${name} low,${name} high,cells`, ...rows, ""].join("\r\n");
 }
 
 /** @param {string} svg @param {number} [scale] pixels per unit @returns {Promise<Blob>} */

@@ -47,8 +47,23 @@ const KNOTS = {
   ].map((colour, k) => [k / 15, colour]), // prettier-ignore
 };
 
-/** Colours of hexahedron, wedge, pyramid, tetrahedron, in the order of the core's KINDS. */
-export const KIND_COLOURS = ["#f2efe8", "#e5a04c", "#5aa9a0", "#a06ab4"];
+/**
+ * Colours of categories, by their numbers. Kinds: hexahedron, wedge, pyramid, tetrahedron, other, in the order of the core's
+ * `SHAPES`. Parts: Paul Tol's "light" scheme (SRON/EPS/TN/09-002, 2021), whose colours colour-blind eyes tell apart; past the last
+ * it begins again.
+ *
+ * @type {Record<string, readonly string[]>}
+ */
+export const CATEGORIES = {
+  kind: ["#f2efe8", "#e5a04c", "#5aa9a0", "#a06ab4", "#c8372d"],
+  part: ["#77aadd", "#ee8866", "#eedd88", "#ffaabb", "#99ddff", "#44bb99", "#bbcc33", "#aaaa00"],
+};
+
+/** @param {string} by what is coloured by @param {number} category */
+export function categoryColour(by, category) {
+  const colours = CATEGORIES[by];
+  return colours[category % colours.length];
+}
 
 /** Colour of a cell whose value is not a number, or not finite. */
 export const NOT_FINITE = "#8c8c8c";
@@ -93,7 +108,7 @@ export function mapColours(map) {
 export function paletteBytes(map) {
   const bytes = new Uint8Array(256 * 4);
   for (let k = 0; k < 256; k++) {
-    const colour = map === "kind" ? componentsOf(KIND_COLOURS[k % 4]) : paletteColour(map, k / 255);
+    const colour = map in CATEGORIES ? componentsOf(categoryColour(map, k)) : paletteColour(map, k / 255);
     for (let c = 0; c < 3; c++) bytes[4 * k + c] = Math.round(255 * colour[c]);
     bytes[4 * k + 3] = 255;
   }

@@ -9,11 +9,14 @@
  * @property {{ args: [changed?: PartialStatus, lean?: boolean, whole?: boolean], answer: Update }} update
  * @property {{ args: [quantity: string], answer: Statistics }} quality
  * @property {{ args: [quantity: string, bins?: number, shown_only?: boolean], answer: Histogram }} histogram
+ * @property {{ args: [quantity: string, count?: number], answer: Worst }} worst
+ * @property {{ args: [quantity: string], answer: Float64Array }} values
  * @property {{ args: [], answer: Validity }} validity
  * @property {{ args: [cell: number], answer: Inspection }} inspect
  * @property {{ args: [cell: number, quantity: string], answer: CellValue }} value
  * @property {{ args: [], answer: boolean }} measure_sizes
  * @property {{ args: [cell: number], answer: CellView }} cell_view
+ * @property {{ args: [cell: number, normal: readonly number[], rule?: string], answer: number }} cut_to
  * @property {{ args: [face_tag: number], answer: number }} neighbour
  * @property {{ args: [finding: string], answer: Uint32Array }} finding_cells
  *
@@ -23,6 +26,7 @@
  * @typedef {import("../state/answers.js").Update} Update
  * @typedef {import("../state/answers.js").Statistics} Statistics
  * @typedef {import("../state/answers.js").Histogram} Histogram
+ * @typedef {import("../state/answers.js").Worst} Worst
  * @typedef {import("../state/answers.js").Validity} Validity
  * @typedef {import("../state/answers.js").Inspection} Inspection
  * @typedef {import("../state/answers.js").CellValue} CellValue

@@ -1,10 +1,11 @@
 import { saveFile } from "../app/saving.js";
 import { watch } from "../widgets/bind.js";
+import { count, counted } from "../state/numbers.js";
 import { h, setText } from "../widgets/dom.js";
 import { numberField } from "../widgets/number_field.js";
 import { dialog } from "./dialog.js";
 
-/** An archive of meshes was dropped: pictures and measurements of all of them (SPEC B1). @param {import("../widgets/bind.js").Context} context */
+/** Pictures and measurements of many meshes, of an archive or of files (SPEC B1). @param {import("../widgets/bind.js").Context} context */
 export function batchDialog(context) {
   const { app, facts } = context;
   const size = { width: 1280, height: 960 };
@@ -12,7 +13,25 @@ export function batchDialog(context) {
   let running = null;
   const what = h("p");
   const progress = h("p", { class: "quiet", role: "status" });
+  const problems = h("ul", { class: "problems" });
   const fields = h("div", { class: "fields" }, field("width", "Width"), field("height", "Height"));
+  const input = h("input", {
+    type: "file",
+    multiple: true,
+    class: "visually-hidden",
+    tabindex: -1,
+    "aria-label": "Meshes, or an archive of meshes",
+    onchange: () => {
+      const files = [...(input.files ?? [])];
+      input.value = "";
+      if (files.length) void app.offerBatch(files);
+    },
+  });
+  const choose = h(
+    "button",
+    { type: "button", class: "button", onclick: () => input.click() },
+    "Choose meshes…",
+  );
   const start = h("button", { type: "button", class: "button button-strong", onclick: run }, "Start");
   const stop = h(
     "button",
@@ -22,15 +41,14 @@ export function batchDialog(context) {
   const rest = h(
     "p",
     { class: "quiet" },
-    "All are drawn under the present settings, or under those beside a mesh: name.json for name.mesh.",
+    "All are drawn under the present settings, each in its own view where that was not changed; or under those beside a mesh: name.json for name.mesh.",
   );
-  const element = dialog("batch", "Batch", [
-    what,
-    rest,
-    fields,
-    progress,
-    h("div", { class: "dialog-end" }, stop, start),
-  ]);
+  const element = dialog(
+    "batch",
+    "Pictures of many meshes",
+    [what, rest, fields, progress, problems, h("div", { class: "dialog-end" }, choose, input, stop, start)],
+    show,
+  );
 
   /** @param {"width" | "height"} side @param {string} label */
   function field(side, label) {
@@ -44,18 +62,34 @@ export function batchDialog(context) {
     return h("div", { class: "field" }, h("span", {}, label), one.element);
   }
 
+  function show() {
+    const archive = facts.get("archive");
+    start.disabled = !archive || running !== null;
+    setText(
+      what,
+      archive
+        ? `${counted(archive.count, "mesh", "meshes")} in ${archive.name}: a picture and a histogram of each, and one table of measurements.`
+        : "Choose an archive (.zip) of meshes, or several files: a picture and a histogram of each, and one table of measurements.",
+    );
+    setText(progress, "");
+    problems.replaceChildren();
+  }
+
   async function run() {
     const archive = facts.get("archive");
     if (!archive) return;
-    const { name, buffer } = archive;
     running = new AbortController();
-    start.disabled = true;
+    start.disabled = choose.disabled = true;
     stop.hidden = false;
+    problems.replaceChildren();
     try {
-      const report = (/** @type {number} */ done, /** @type {number} */ of, /** @type {string} */ mesh) =>
-        setText(progress, `${done} of ${of} done${mesh ? `, ${mesh}` : ""}`);
-      const zip = await app.batch.run(buffer, { ...size, signal: running.signal, report });
-      saveFile(zip, name.replace(/\.zip$/i, "") + "-hexalab.zip");
+      const { zip, failed } = await app.batch.run(archive.entries, {
+        ...size,
+        signal: running.signal,
+        report: (done, of, mesh, failures) => setText(progress, inWords(done, of, mesh, failures)),
+      });
+      problems.replaceChildren(...failed.map(({ name, problem }) => h("li", {}, `${name}: ${problem}`)));
+      saveFile(zip, archive.name.replace(/\.zip$/i, "") + "-hexalab.zip");
     } catch (error) {
       setText(
         progress,
@@ -63,7 +97,7 @@ export function batchDialog(context) {
       );
     } finally {
       running = null;
-      start.disabled = false;
+      start.disabled = choose.disabled = false;
       stop.hidden = true;
     }
   }
@@ -73,14 +107,15 @@ export function batchDialog(context) {
     facts.set({ archive: null });
   });
   watch(context, { facts: ["archive"] }, () => {
-    const archive = facts.get("archive");
-    if (!archive) return;
-    setText(
-      what,
-      `${archive.count} meshes in ${archive.name}: a picture and a histogram of each, and one table of measurements.`,
-    );
-    setText(progress, "");
-    if (!element.open) element.showModal();
+    if (!facts.get("archive")) return;
+    if (element.open) show();
+    else element.showModal();
   });
   return element;
+}
+
+/** "3 of 4 done, 1 failed, part.mesh". @param {number} done @param {number} of @param {string} mesh under way @param {number} failures */
+function inWords(done, of, mesh, failures) {
+  const failed = failures ? `, ${count(failures)} failed` : "";
+  return `${count(done - failures)} of ${count(of)} done${failed}${mesh ? `, ${mesh}` : ""}`;
 }

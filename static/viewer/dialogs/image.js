@@ -41,6 +41,11 @@ export function imageDialog(context, canvas) {
     context.app.saving.savePicture({ ...size, transparent: transparent.checked });
   } }, "Save PNG"); // prettier-ignore
 
+  const many = h("button", { type: "button", class: "button", onclick: () => {
+    element.close();
+    /** @type {HTMLDialogElement} */ (document.getElementById("batch")).showModal();
+  } }, "Of many meshes…"); // prettier-ignore
+
   /** @param {number} factor */
   function setSize(factor) {
     const most = LARGEST / Math.max(canvas.clientWidth, canvas.clientHeight, 1);
@@ -61,7 +66,7 @@ export function imageDialog(context, canvas) {
         { class: "quiet" },
         "The picture carries the settings: dropped on this page, it brings the view back.",
       ),
-      h("div", { class: "dialog-end" }, save),
+      h("div", { class: "dialog-end" }, many, save),
     ],
     () => setSize(devicePixelRatio),
   );

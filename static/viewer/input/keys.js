@@ -122,7 +122,7 @@ export const KEYS = [
     keys: ["c"],
     what: "Colour: sides, quality, kind",
     press: ({ store, tables }) => {
-      const ways = tables.choices["colour.by"].filter((by) => by !== "attribute"); // which the mesh may lack
+      const ways = tables.choices["colour.by"].filter((by) => by !== "attribute" && by !== "part"); // which the mesh may lack
       store.set({ colour: { by: next(ways, store.status.colour.by) } });
     },
   },

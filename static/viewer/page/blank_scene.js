@@ -11,6 +11,7 @@ export class BlankScene {
   frames = 0;
   hurried = false;
   outward = false;
+  covered = 0;
   warmUp() {}
   setMesh() {}
   setSurface() {}
@@ -20,6 +21,7 @@ export class BlankScene {
   setStatus() {}
   resize() {}
   highlight() {}
+  mark() {}
   showPlane() {}
   invalidate() {}
   flush() {}

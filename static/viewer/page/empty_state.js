@@ -14,11 +14,22 @@ export function emptyState(context) {
     "Open a mesh",
   );
   const catalogue = h("a", { href: context.app.root, class: "link" }, "choose one from the catalogue");
+  const again = h(
+    "button",
+    {
+      type: "button",
+      class: "button",
+      onclick: () => context.facts.get("again")?.press(),
+    },
+    "Open again",
+  );
+  const last = h("p", { hidden: true }, again);
   const element = h(
     "div",
     { class: "empty" },
     h("p", { class: "empty-title" }, "Drop a hexahedral mesh anywhere"),
     h("p", {}, open, " or ", catalogue),
+    last,
     h("p", { class: "empty-formats" }, formats),
   );
   watch(
@@ -26,5 +37,10 @@ export function emptyState(context) {
     { facts: ["summary", "progress"] },
     () => void (element.hidden = Boolean(context.facts.get("summary"))),
   );
+  watch(context, { facts: ["again"] }, () => {
+    const files = context.facts.get("again");
+    last.hidden = !files;
+    again.textContent = files ? `Open ${files.name} again` : "Open again";
+  });
   return element;
 }

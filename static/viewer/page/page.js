@@ -7,6 +7,7 @@ import { structure } from "../panels/structure.js";
 import { surroundings } from "../panels/surroundings.js";
 import { renderSection } from "../widgets/section.js";
 import { bar } from "./bar.js";
+import { tellChanges } from "./changes_told.js";
 import { batchDialog } from "../dialogs/batch.js";
 import { helpDialog } from "../dialogs/help.js";
 import { imageDialog } from "../dialogs/image.js";
@@ -15,6 +16,7 @@ import { statusDialog } from "../dialogs/status_editor.js";
 import { meshName } from "./mesh_name.js";
 import { messageList } from "./message_list.js";
 import { progressBar } from "./progress_bar.js";
+import { cellLabel } from "./cell_label.js";
 import { emptyState } from "./empty_state.js";
 import { statusLine } from "./status_line.js";
 import { pictureInWords } from "./picture_in_words.js";
@@ -40,12 +42,14 @@ export class Page {
       meshName(context),
       progressBar(context),
       emptyState(context),
+      cellLabel(context, context.app.scene),
       inspector(context),
       messageList(context),
     );
     place("status-line", ...statusLine(context));
     document.body.append(...Object.values(this.dialogs));
     pictureInWords(context, canvas);
+    tellChanges(context, SECTIONS);
     followSize(context, canvas);
     followModality();
   }

@@ -6,7 +6,9 @@ import { h, setText } from "../widgets/dom.js";
 export function statusLine(context) {
   const shown = h("span", { role: "status" });
   const hover = h("span", { class: "hover-cell" });
-  watch(context, { facts: ["shown", "summary"] }, () => setText(shown, shownInWords(context)));
+  watch(context, { facts: ["shown", "summary", "changed"] }, () =>
+    setText(shown, context.facts.get("changed") || shownInWords(context)),
+  );
   watch(context, { facts: ["hover", "tool"] }, () => setText(hover, hoverInWords(context)));
   return [shown, hover];
 }

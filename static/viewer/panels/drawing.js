@@ -1,5 +1,10 @@
+import { categoryColour } from "../colours/palettes.js";
 import { optionsOf } from "../state/choices.js";
-import { typed } from "../state/numbers.js";
+import { count, typed } from "../state/numbers.js";
+import { watch } from "../widgets/bind.js";
+import { h } from "../widgets/dom.js";
+import { swatch } from "../widgets/swatch.js";
+import { KIND_NAMES, KINDS } from "../state/kinds.js";
 
 /** @typedef {import("../widgets/bind.js").Context} Context @typedef {import("../state/status.js").Status} Status */
 
@@ -70,11 +75,8 @@ export const drawing = {
           },
         };
       },
-      why: (context) =>
-        colouredBy(context) === "kind" && Object.keys(context.facts.get("summary")?.kinds ?? {}).length === 1
-          ? "all cells are of one kind"
-          : "",
     },
+    { kind: "custom", render: kindLegend },
     {
       kind: "colours",
       label: "",
@@ -128,4 +130,25 @@ function rangeField(end, name) {
       return range[0] < range[1] ? { colour: { range } } : null;
     },
   };
+}
+
+/** Which colour is which kind of cell, and how many there are. @param {Context} context */
+function kindLegend(context) {
+  const element = h("ul", { class: "categories", "aria-label": "Colours of the kinds of cells" });
+  watch(context, { status: ["colour.by"], facts: ["description", "summary"] }, () => {
+    const counts = context.facts.get("description")?.shapes ?? context.facts.get("summary")?.kinds ?? {};
+    element.hidden = colouredBy(context) !== "kind";
+    element.replaceChildren(
+      ...KINDS.filter((kind) => counts[kind]).map((kind) =>
+        h(
+          "li",
+          {},
+          swatch(categoryColour("kind", KINDS.indexOf(kind))),
+          h("span", { class: "category-name" }, KIND_NAMES[kind][counts[kind] === 1 ? 0 : 1]),
+          h("span", { class: "category-count" }, count(counts[kind])),
+        ),
+      ),
+    );
+  });
+  return element;
 }

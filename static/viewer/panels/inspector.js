@@ -56,6 +56,7 @@ function parts(context, cell) {
       "div",
       { class: "actions" },
       h("button", { type: "button", class: "button", onclick: () => app.flyTo(cell.cell) }, "Fly to"),
+      h("button", { type: "button", class: "button", onclick: () => app.cutTo(cell.cell) }, "Cut to it"),
       h("button", { type: "button", class: "button", onclick: () => app.pick("dig", cell.cell) }, "Hide"),
       h(
         "button",

@@ -1,7 +1,10 @@
+import { KIND_NAMES } from "../state/kinds.js";
 import { counted } from "../state/numbers.js";
 import { h } from "../widgets/dom.js";
 import { watch } from "../widgets/bind.js";
 import { findings } from "./findings.js";
+import { firstFacts } from "./first_facts.js";
+import { partList } from "./parts.js";
 import { catalogueChooser } from "./catalogue.js";
 
 /** @typedef {import("../widgets/bind.js").Context} Context */
@@ -20,16 +23,10 @@ export const mesh = {
   controls: [
     { kind: "custom", render: catalogueChooser },
     { kind: "custom", render: headline },
+    { kind: "custom", render: firstFacts },
+    { kind: "custom", render: partList },
     { kind: "custom", render: findings },
   ],
-};
-
-/** @type {Record<string, [string, string]>} */
-const KIND_NAMES = {
-  hexahedron: ["hexahedron", "hexahedra"],
-  wedge: ["wedge", "wedges"],
-  pyramid: ["pyramid", "pyramids"],
-  tetrahedron: ["tetrahedron", "tetrahedra"],
 };
 
 /** "1,234 hexahedra, 5 wedges". @param {Record<string, number>} [kinds] */

@@ -1,4 +1,4 @@
-import { count, decimal } from "../state/numbers.js";
+import { count } from "../state/numbers.js";
 import { watch } from "../widgets/bind.js";
 import { h } from "../widgets/dom.js";
 
@@ -6,14 +6,10 @@ import { h } from "../widgets/dom.js";
 
 /** Rows of the table of facts: name and value. @param {import("../state/facts.js").MeshSummary} summary @param {Partial<import("../state/answers.js").Description> | null} description @returns {[string, string][]} */
 function rowsOf(summary, description) {
-  const size = [0, 1, 2]
-    .map((axis) => decimal(summary.extent[1][axis] - summary.extent[0][axis]))
-    .join(" × ");
   /** @type {[string, string][]} */
   const rows = [
     ["Format", summary.format ?? "–"],
     ["Boundary faces", count(summary.boundary_faces)],
-    ["Extent", size],
   ];
   if (!description) return rows;
   return [
@@ -23,7 +19,6 @@ function rowsOf(summary, description) {
     ["Irregular edges inside", irregular(description.interior_edge_valence, 4)],
     ["Irregular on boundary", irregular(description.boundary_edge_valence, 2)],
     ["Layers", count(description.cells_per_depth?.length)],
-    ["Components", count(description.components)],
     ["Unreferenced vertices", count(description.unreferenced_vertices)],
     ["Cells repeating a vertex", count(description.cells_repeating_a_vertex)],
   ];

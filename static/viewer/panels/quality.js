@@ -3,6 +3,7 @@ import { count, decimal } from "../state/numbers.js";
 import { watch } from "../widgets/bind.js";
 import { h } from "../widgets/dom.js";
 import { histogramPanel } from "./histogram.js";
+import { worstCells } from "./worst_cells.js";
 import { chooseQuantity, quantityOf, quantityOptions } from "../state/quantity.js";
 
 /** @typedef {import("../widgets/bind.js").Context} Context @typedef {import("../state/answers.js").Statistics} Statistics */
@@ -164,29 +165,4 @@ function statisticsTable(context) {
     );
   });
   return element;
-}
-
-/** The worst cells by number; a click flies to the cell. @param {Context} context */
-function worstCells(context) {
-  const list = h("p", { class: "cell-list" });
-  watch(context, WATCHED, () => {
-    const worst = [...(statisticsOf(context)?.worst ?? [])].slice(0, 12);
-    list.hidden = !worst.length;
-    list.replaceChildren(
-      h("span", { class: "quiet" }, "Worst cells "),
-      ...worst.map((cell) =>
-        h(
-          "button",
-          {
-            type: "button",
-            class: "link",
-            title: "Fly to this cell",
-            onclick: () => context.app.flyTo(cell),
-          },
-          String(cell),
-        ),
-      ),
-    );
-  });
-  return list;
 }

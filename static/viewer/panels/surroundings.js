@@ -10,6 +10,13 @@ const viewButton = (name, text, key) => ({
   press: ({ store }) => store.set({ camera: VIEWS[name] }),
 });
 
+/** Whether another mesh keeps the view. */
+const KEEPING = [
+  { value: "changed", name: "keeps a view that was changed" },
+  { value: "always", name: "keeps the view always" },
+  { value: "never", name: "opens in its own view" },
+];
+
 /** @type {import("../widgets/section.js").Section} */
 export const surroundings = {
   id: "surroundings",
@@ -87,6 +94,31 @@ export const surroundings = {
       digits: 0,
       why: ({ store }) =>
         store.status.camera.projection === "orthographic" ? "an orthographic view has no angle" : "",
+    },
+    {
+      kind: "choice",
+      id: "keeping",
+      label: "Next mesh",
+      hint: "Under which view another mesh is opened",
+      facts: ["keeping"],
+      options: () => KEEPING,
+      read: ({ facts }) => facts.get("keeping"),
+      write: (keeping, { facts }) => {
+        facts.set({ keeping: /** @type {import("../state/opening_view.js").Keeping} */ (keeping) });
+        return null;
+      },
+    },
+    {
+      kind: "toggle",
+      id: "remember",
+      label: "Last file",
+      hint: "Keep the file that was opened last in this browser, to open it again after a reload",
+      facts: ["remember"],
+      read: ({ facts }) => facts.get("remember"),
+      write: (remember, { facts }) => {
+        facts.set({ remember });
+        return null;
+      },
     },
     {
       kind: "slider",

@@ -1,3 +1,4 @@
+import { Vector3 } from "three";
 import { Lighting } from "../lighting/lighting.js";
 import { CameraRig } from "./camera/camera_rig.js";
 import { DraftPolicy } from "./frame/draft_policy.js";
@@ -50,6 +51,10 @@ export class Scene {
   #mesh = { cells: 0 };
   /** @type {(() => void)[]} */
   #waiting = [];
+  /** Ends of the marked cell's edges. @type {Float32Array | null} */
+  #marked = null;
+  /** Where it was told to stand. @type {import("./scene_like.js").Place | null} */
+  #markedAt = null;
 
   /** @param {HTMLCanvasElement} canvas @param {import("./types.js").CameraStatus} camera the first one */
   constructor(canvas, camera) {
@@ -129,6 +134,8 @@ export class Scene {
     this.setSilhouette(null);
     this.setIrregular(null);
     this.setCellColours(null);
+    this.mark(null);
+    this.#rig.covered = 0;
     this.#layers.plane.set(null, 0, 1);
   }
 
@@ -200,6 +207,25 @@ export class Scene {
   /** @param {number | null} face tag of the face to highlight */
   highlight(face) {
     if (this.#layers.highlight.set(this.#layers.surface.surface, face)) this.#loop.invalidate();
+  }
+
+  /**
+   * Outlines a cell through everything; `marked` tells where it stands whenever that changes.
+   *
+   * @param {Float32Array | null} edges of the cell, 6 numbers for each
+   */
+  mark(edges) {
+    this.#layers.outline.set(edges);
+    this.#marked = edges;
+    this.#loop.invalidate();
+  }
+
+  /** @param {number} pixels CSS pixels at the right of the canvas that something covers: the view's middle is that of the rest */
+  set covered(pixels) {
+    const part = pixels / this.#view.size.width;
+    if (part === this.#rig.covered) return;
+    this.#rig.covered = part < 0.7 ? part : 0;
+    this.#touch();
   }
 
   /** @param {import("./types.js").Plane | null} plane */
@@ -287,9 +313,27 @@ export class Scene {
     this.#pictures.show(draft, this.#drafts.held);
     this.timings.frame = performance.now() - started;
     this.#drafts.end();
+    this.#tellMark();
     if (draft || !this.#lighting.settled) return;
     this.timings.lighting = this.#lighting.elapsed;
     for (const resolve of this.#waiting.splice(0)) resolve();
+  }
+
+  /** Tells the rightmost place of the marked cell on the canvas; null where it is behind the eye, or none is marked. */
+  #tellMark() {
+    const { width, height } = this.#view.size;
+    /** @type {import("./scene_like.js").Place | null} */
+    let at = null;
+    for (let k = 0; k < (this.#marked?.length ?? 0); k += 3) {
+      const place = new Vector3()
+        .fromArray(/** @type {Float32Array} */ (this.#marked), k)
+        .project(this.#rig.camera);
+      const x = ((place.x + 1) / 2) * width;
+      if (Math.abs(place.z) <= 1 && x > (at?.x ?? -Infinity)) at = { x, y: ((1 - place.y) / 2) * height };
+    }
+    if (at?.x === this.#markedAt?.x && at?.y === this.#markedAt?.y) return;
+    this.#markedAt = at;
+    this.#events.emit("marked", at);
   }
 
   /** @param {Event} event */

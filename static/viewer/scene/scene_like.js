@@ -26,6 +26,7 @@
  * @property {import("./types.js").CameraStatus} cameraend when a move ends
  * @property {Place & { event: PointerEvent }} click
  * @property {Place & { event: PointerEvent } | null} hover null: the pointer is nowhere on the canvas
+ * @property {Place | null} marked rightmost place of the marked cell, when that has changed; null: nowhere in sight
  * @property {void} blank a double click where nothing is
  * @property {void} calm nothing is held any more, or has not moved for long
  * @property {void} contextlost
@@ -48,6 +49,8 @@
  * @property {(width: number, height: number, pixelRatio?: number) => void} resize
  * @property {(x: number, y: number) => FaceHit | null} pick
  * @property {(face: number | null) => void} highlight
+ * @property {(edges: Float32Array | null) => void} mark outlines a cell
+ * @property {number} covered CSS pixels at the right of the canvas that something covers
  * @property {(plane: import("./types.js").Plane | null) => void} showPlane
  * @property {import("./types.js").CameraStatus} camera as it stands at the moment
  * @property {(filled?: number) => Partial<import("./types.js").CameraStatus> | null} cameraOnShown that sees what is shown whole, from

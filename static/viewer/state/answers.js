@@ -46,6 +46,8 @@
  * @property {number} max_depth
  * @property {number} unreferenced_vertices
  * @property {number} cells_repeating_a_vertex
+ * @property {Record<string, number>} shapes number of cells by what they are or have collapsed to
+ * @property {number[]} part_cells cells of each of the largest parts
  * @property {Finding[]} findings
  *
  * @typedef {object} Finding  something that is wrong with a mesh, or worth knowing
@@ -133,6 +135,12 @@
  *
  * @typedef {[number | null, number | null]} Ends  of a range; null: unbounded
  *
+ * @typedef {object} Worst  the worst cells by a metric, or the highest by an attribute
+ * @property {number[]} cells of finite value, the worst first
+ * @property {number[]} values
+ * @property {Point[]} places barycentres, in the file's unit
+ * @property {number[]} not_finite cells without a finite value
+ *
  * @typedef {object} Histogram
  * @property {string} quantity
  * @property {string} label
@@ -168,8 +176,9 @@
  * @property {boolean} pending whether it waits for the mesh's mean volume
  *
  * @typedef {object} CellView
- * @property {Point} centre in diagonals, from the extent's centre
+ * @property {Point} centre in drawing coordinates
  * @property {number} size
+ * @property {Float32Array} edges both ends of each, 6 numbers for an edge
  *
  * @typedef {import("./status.js").PartialStatus} PartialStatus
  */

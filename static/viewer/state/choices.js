@@ -20,6 +20,7 @@ const NAMES = {
     quality: "Quality",
     attribute: "Attribute",
     kind: "Cell kind",
+    part: "Part",
   },
   "colour.map": { parula: "Parula", viridis: "Viridis", jet: "Jet", red_blue: "Red-Blue" },
   "lighting.mode": {

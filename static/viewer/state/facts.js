@@ -25,7 +25,7 @@
  * @property {readonly Message[]} messages
  * @property {{ text: string, fraction: number | null } | null} progress
  * @property {Readonly<Record<string, number>>} timings milliseconds
- * @property {{ name: string, buffer: ArrayBuffer, count: number } | null} archive of meshes, offered as a batch
+ * @property {{ name: string, entries: import("../files/zip.js").Entry[], count: number } | null} archive of meshes, offered as a batch
  * @property {import("./entry.js").Index | null} catalogue
  * @property {import("./entry.js").CatalogueSource | null} source chosen from the catalogue
  * @property {import("./entry.js").Entry | null} entry of the open mesh
@@ -33,6 +33,7 @@
  * @property {Partial<import("./answers.js").Description> | null} description
  * @property {Readonly<Record<string, import("./answers.js").Statistics>>} statistics by quantity
  * @property {import("./answers.js").Histogram & { asked: string } | null} histogram with what it was asked for under
+ * @property {import("./answers.js").Worst & { quantity: string } | null} worst cells by what is looked at
  * @property {import("./answers.js").IrregularCounts | null} irregular
  * @property {{ cells: number, faces: number } | null} shown
  * @property {import("./answers.js").Colour | null} colour
@@ -43,12 +44,15 @@
  * @property {boolean} planeShown while its slider is held
  * @property {import("./answers.js").Update["plane_ranges"]} planeRanges
  * @property {import("./opening_view.js").Keeping} keeping whether another mesh keeps the view
+ * @property {string} changed what was set while its control is folded away, in words
+ * @property {boolean} remember whether the last files are kept in this browser
+ * @property {{ name: string, press: () => unknown } | null} again the files that were open when the page was left
  * @property {import("./quality_filter.js").Keep | null} keep chosen while the quality filter hides nothing yet
  */
 
 /** What is known of a mesh before anything is, and the tool at hand: another mesh starts with these. */
 export const NEW_MESH = Object.freeze(
-  /** @type {Pick<FactTable, "tool" | "source" | "entry" | "summary" | "description" | "statistics" | "histogram" | "irregular" | "shown" | "colour" | "layers" | "cell" | "hover" | "plane" | "planeRanges">} */ ({
+  /** @type {Pick<FactTable, "tool" | "source" | "entry" | "summary" | "description" | "statistics" | "histogram" | "worst" | "irregular" | "shown" | "colour" | "layers" | "cell" | "hover" | "plane" | "planeRanges">} */ ({
     tool: "turn",
     source: null,
     entry: null,
@@ -56,6 +60,7 @@ export const NEW_MESH = Object.freeze(
     description: null,
     statistics: {},
     histogram: null,
+    worst: null,
     irregular: null,
     shown: null,
     colour: null,
@@ -78,6 +83,9 @@ const NOTHING = {
   catalogue: null,
   planeShown: false,
   keeping: "changed",
+  changed: "",
+  remember: true,
+  again: null,
   keep: null,
 };
 

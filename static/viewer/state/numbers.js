@@ -1,26 +1,38 @@
 /**
- * Numbers as the page writes them: three decimals, an exponent where they would read 0.000 or run wide; counts
- * in groups of three.
+ * Numbers as the page writes them: three decimals, more where less than three digits would tell something, an exponent where
+ * they are tiny or run wide; all in groups of three.
  */
 
 /** @param {number | null | undefined} value @param {number} [decimals] */
 export function decimal(value, decimals = 3) {
   if (value === null || value === undefined || Number.isNaN(value)) return "–";
   if (!Number.isFinite(value)) return value > 0 ? "∞" : "−∞";
-  const size = Math.abs(value);
-  if (size !== 0 && (size < 0.5 * 10 ** -decimals || size >= 1e6)) return exponent(value);
-  return value.toFixed(decimals).replace("-", "−");
+  return grouped(digitsOf(value, decimals)).replaceAll("-", "−");
 }
+
+/** At least three digits that tell something. @param {number} value @param {number} decimals */
+function digitsOf(value, decimals) {
+  const size = Math.abs(value);
+  const tiny = decimals < 3 ? 0.5 * 10 ** -decimals : TINY;
+  if (size !== 0 && (size < tiny || size >= WIDE)) return value.toExponential(2).replace("e+", "e");
+  if (decimals < 3 || size === 0 || size >= 0.1) return value.toFixed(decimals);
+  return value.toFixed(3 - Math.floor(Math.log10(size)) - 1);
+}
+
+/** "12345.678" as "12,345.678". @param {string} digits */
+function grouped(digits) {
+  const [whole, ...rest] = digits.split(".");
+  return [whole.replace(/\B(?=(\d{3})+$)/g, ","), ...rest].join(".");
+}
+
+/** Sizes below and from which a number has an exponent. */
+const TINY = 1e-3;
+const WIDE = 1e6;
 
 /** A number as one can type it again. @param {number | null | undefined} value @param {number} [decimals] */
 export function typed(value, decimals = 3) {
   if (value === null || value === undefined || !Number.isFinite(value)) return "";
-  return decimal(value, decimals).replaceAll("−", "-");
-}
-
-/** @param {number} value */
-function exponent(value) {
-  return value.toExponential(2).replace("e+", "e").replaceAll("-", "−");
+  return digitsOf(value, decimals);
 }
 
 /** @param {number | null | undefined} value */

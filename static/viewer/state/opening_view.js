@@ -55,7 +55,7 @@ export function openingSettings(own, { status, touched, keeping, alike, has }) {
   );
   const { colour, filters } = settings;
   const known = colour.by !== "attribute" || has(colour.attribute);
-  const { picking, quality } = filters;
+  const { picking, parts, quality } = filters;
   return {
     settings: {
       ...settings,
@@ -63,6 +63,7 @@ export function openingSettings(own, { status, touched, keeping, alike, has }) {
       filters: {
         ...filters,
         picking: alike ? picking : own.filters.picking,
+        parts: alike ? parts : own.filters.parts,
         quality: {
           ...quality,
           items: quality.items.filter(({ quantity }) => !quantity.includes(":") || has(quantity)),

@@ -2,7 +2,8 @@
  * The quality filter (SPEC F3) as the panel shows it: which end of the values is kept, and its bounds in native values.
  *
  * @typedef {import("./status.js").Status["filters"]["quality"]["items"][number]} Band
- * @typedef {{ worstValue: number, bestValue: number }} Scale  ends of the slider, in native values
+ * @typedef {{ worstValue: number, bestValue: number, outer?: readonly [number, number] | null }} Scale  ends of the slider, in native
+ *   values; the percentiles between which most values lie
  * @typedef {"worst" | "best" | "band" | "outside"} Keep
  */
 
@@ -68,8 +69,10 @@ export function shareOf(band, keep, scale) {
 
 /** The band when another way of keeping is chosen. @param {string} quantity @param {Keep} keep @param {Band | undefined} band @param {Scale} scale @returns {Band | null} */
 export function changedKeep(quantity, keep, band, scale) {
-  const low = Math.min(scale.worstValue, scale.bestValue);
-  const high = Math.max(scale.worstValue, scale.bestValue);
+  const [low, high] = scale.outer ?? [
+    Math.min(scale.worstValue, scale.bestValue),
+    Math.max(scale.worstValue, scale.bestValue),
+  ];
   if (keep === "band" || keep === "outside") {
     return {
       quantity,

@@ -9,6 +9,7 @@ import { metricOf } from "./tables.js";
  * @property {import("./tables.js").Tables} tables
  *
  * @typedef {{ id: string, name: string, symbol: string, variant: string, attribute: boolean, worstValue: number, bestValue: number,
+ *   outer: readonly [number, number] | null,
  *   acceptable: readonly [number | null, number | null] | null }} Quantity
  */
 
@@ -32,7 +33,14 @@ export function quantityOf({ store, facts, tables }) {
     bestValue: statistics?.best_value ?? (better === "low" ? low : high),
     worstValue: statistics?.worst_value ?? (better === "low" ? high : low),
     acceptable: row?.acceptable_range ?? null,
+    outer: outerOf(statistics),
   };
+}
+
+/** The 5th and 95th percentile, if they differ. @param {import("./answers.js").Statistics | undefined} statistics @returns {[number, number] | null} */
+function outerOf(statistics) {
+  const [low, high] = [statistics?.percentiles["5"], statistics?.percentiles["95"]];
+  return typeof low === "number" && typeof high === "number" && low < high ? [low, high] : null;
 }
 
 /** Part of a range's end by which a value may pass it: rounding. */

@@ -45,6 +45,12 @@
  *         readonly maximum: number | null,
  *       }[],
  *     },
+ *     readonly parts: {
+ *       readonly enabled: boolean,
+ *       readonly isolated: boolean,
+ *       readonly hidden: readonly number[],
+ *       readonly shown: readonly number[],
+ *     },
  *     readonly picking: {
  *       readonly enabled: boolean,
  *       readonly isolated: boolean,
@@ -60,7 +66,7 @@
  *     readonly line_width: number,
  *   },
  *   readonly colour: {
- *     readonly by: "sides" | "quality" | "attribute" | "kind",
+ *     readonly by: "sides" | "quality" | "attribute" | "kind" | "part",
  *     readonly outside: string,
  *     readonly inside: string,
  *     readonly metric: string,

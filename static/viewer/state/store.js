@@ -52,6 +52,11 @@ export class StatusStore {
     return this.#touched;
   }
 
+  /** These sections were changed by hand. @param {Iterable<string>} sections */
+  touch(sections) {
+    for (const section of sections) this.#touched.add(section);
+  }
+
   /** Nothing was changed by hand so far. */
   untouch() {
     this.#touched.clear();

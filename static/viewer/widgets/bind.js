@@ -18,20 +18,24 @@
  * @property {(source: string) => Promise<void>} chooseSource
  * @property {(source: string, mesh: string) => Promise<void>} chooseEntry
  * @property {(cell: number | null) => unknown} inspect
- * @property {(cell: number) => unknown} flyTo
+ * @property {(cell: number) => Promise<void>} flyTo
+ * @property {(cell: number) => unknown} cutTo
+ * @property {() => Promise<void>} saveWorst
+ * @property {() => Promise<void>} saveValues
  * @property {(tool: import("../state/facts.js").PickingTool, cell: number) => void} pick
  * @property {(finding: import("../state/answers.js").Finding) => unknown} showFinding
  * @property {(format: ChartFormat) => unknown} saveHistogram
- * @property {{ reset: () => void, fitShown: () => void }} views
+ * @property {{ reset: () => void, fitShown: () => void, flyToShown: () => Promise<void> }} views
  * @property {{ dismiss: (id: number) => void }} messages
  * @property {{ text: () => string, apply: (document: unknown) => Promise<import("../state/answers.js").Rejection[]> }} documents
  * @property {{ savePicture: (size: Size & { transparent: boolean }) => unknown, saveStatus: () => void, link: () => Promise<string> }} saving
- * @property {{ run: (archive: ArrayBuffer, options: Size & Run) => Promise<Blob> }} batch
- * @property {Pick<import("../scene/scene_like.js").SceneLike, "resize">} scene
+ * @property {(files: readonly File[]) => Promise<void>} offerBatch
+ * @property {{ run: (entries: import("../files/zip.js").Entry[], options: Size & Run) => Promise<{ zip: Blob, failed: { name: string, problem: string }[] }> }} batch
+ * @property {import("../scene/scene_like.js").SceneLike} scene
  *
  * @typedef {"png" | "svg" | "csv"} ChartFormat
  * @typedef {{ width: number, height: number }} Size  in pixels
- * @typedef {{ signal: AbortSignal, report: (done: number, of: number, name: string) => void }} Run
+ * @typedef {{ signal: AbortSignal, report: (done: number, of: number, name: string, failed: number) => void }} Run
  *
  * @typedef {{ value: string, name: string, group?: string }} Option
  * @typedef {readonly [number, number, number]} Range  lowest, highest, step

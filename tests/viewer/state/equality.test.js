@@ -24,7 +24,7 @@ test("S1: NaN is itself, 0 is not −0, a list is no object", () => {
 });
 
 test("a million is the first number that is written with an exponent", () => {
-  assert.equal(decimal(999999), "999999.000");
+  assert.equal(decimal(999999), "999,999.000");
   assert.equal(decimal(1e6), "1.00e6");
   assert.equal(decimal(-1e6), "−1.00e6");
 });

@@ -2,12 +2,16 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { count, counted, decimal, parsed, typed } from "../../../static/viewer/state/numbers.js";
 
-test("numbers show three decimals, and an exponent where they would read 0", () => {
+test("numbers show three decimals, three digits that tell something, and an exponent where they are tiny", () => {
   assert.equal(decimal(0), "0.000");
   assert.equal(decimal(0.12345), "0.123");
   assert.equal(decimal(-1.5), "−1.500");
-  assert.equal(decimal(0.0005), "0.001");
-  assert.equal(decimal(0.0004), "4.00e−4");
+  assert.equal(decimal(0.0123456), "0.0123");
+  assert.equal(decimal(0.00123456), "0.00123");
+  assert.equal(decimal(0.0005), "5.00e−4");
+  assert.equal(decimal(-0.09996), "−0.1000");
+  assert.equal(decimal(12345.678), "12,345.678");
+  assert.equal(decimal(-999999), "−999,999.000");
   assert.equal(decimal(1234567), "1.23e6");
   assert.equal(decimal(NaN), "–");
   assert.equal(decimal(null), "–");

@@ -11,6 +11,7 @@ const defaults = /** @type {import("../../../static/viewer/state/status.js").Sta
     filters: {
       planes: { enabled: true, items: [{ enabled: true, normal: [1, 0, 0], offset: 0 }] },
       quality: { enabled: true, items: [] },
+      parts: { enabled: true, isolated: false, hidden: [], shown: [] },
       picking: { enabled: true, isolated: false, hidden: [], shown: [] },
     },
     separation: { mode: "lines" },

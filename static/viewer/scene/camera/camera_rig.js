@@ -33,6 +33,8 @@ export class CameraRig {
   fieldOfView;
   projection;
   aspect = 1;
+  /** Part of the picture's width, at the right, that something covers: the middle is that of the rest. */
+  covered = 0;
 
   /** The fit that was found last, and for what. @type {{ body: ArrayLike<number> | null, asked: unknown[], target: [number, number, number], distance: number }} */
   #fitted = { body: null, asked: [], target: [0, 0, 0], distance: 1 };
@@ -112,8 +114,8 @@ export class CameraRig {
   /** Stands where the fit asks for. */
   #aim() {
     if (!this.fit) return;
-    const { body, aspect, fieldOfView, projection, orientation } = this;
-    const asked = [aspect, fieldOfView, projection, ...orientation];
+    const { body, aspect, covered, fieldOfView, projection, orientation } = this;
+    const asked = [aspect, covered, fieldOfView, projection, ...orientation];
     if (this.#fitted.body !== body || asked.some((one, k) => one !== this.#fitted.asked[k]))
       this.#fitted = { body, asked, ...this.around(body) };
     this.target.fromArray(this.#fitted.target);
@@ -184,7 +186,16 @@ export class CameraRig {
       camera.far = Math.min(most, this.distance + DEEPEST);
     }
     camera.updateProjectionMatrix();
+    if (this.covered) this.#shift(camera);
     camera.updateMatrixWorld(true);
+  }
+
+  /** Moves the picture's middle to that of what is not covered. @param {PerspectiveCamera | OrthographicCamera} camera */
+  #shift(camera) {
+    const { elements } = camera.projectionMatrix;
+    if (camera instanceof PerspectiveCamera) elements[8] += this.covered;
+    else elements[12] -= this.covered;
+    camera.projectionMatrixInverse.copy(camera.projectionMatrix).invert();
   }
 
   /** Least and greatest depth before the eye of what is drawn. @returns {[number, number]} */
@@ -211,7 +222,7 @@ export class CameraRig {
    */
   pointAt(x, y) {
     const half = this.halfHeight;
-    return new Vector3(x * half * this.aspect, y * half, 0)
+    return new Vector3((x + this.covered) * half * this.aspect, y * half, 0)
       .applyQuaternion(this.orientation)
       .add(this.target);
   }

@@ -50,7 +50,7 @@ export class Pictures {
       height,
       transparent,
       draw: (target, tile, scale) => {
-        this.#view.aim(width / height);
+        this.#view.aim(width / height, true);
         const { camera } = this.#view.rig;
         camera.setViewOffset(width * scale, height * scale, tile.x, tile.y, tile.width, tile.height);
         this.#prepare({

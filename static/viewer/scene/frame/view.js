@@ -24,10 +24,18 @@ export class View {
     this.#painter.resize(across, down);
   }
 
-  /** Brings the camera up to date. @param {number} [aspect] of the picture; the canvas's */
-  aim(aspect = this.size.width / this.size.height) {
+  /**
+   * Brings the camera up to date.
+   *
+   * @param {number} [aspect] of the picture; the canvas's
+   * @param {boolean} [bare] whether nothing covers it, as of a picture that is saved
+   */
+  aim(aspect = this.size.width / this.size.height, bare = false) {
+    const { covered } = this.rig;
     this.rig.aspect = aspect;
+    if (bare) this.rig.covered = 0;
     this.rig.update();
+    this.rig.covered = covered;
   }
 
   /** Pixels to a CSS pixel in a picture of the canvas of that width. @param {number} width */

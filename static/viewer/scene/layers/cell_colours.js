@@ -34,7 +34,7 @@ export class CellColours {
     this.values.needsUpdate = true;
   }
 
-  /** @param {string} map a row of the palettes, or "kind" */
+  /** @param {string} map a row of the palettes, or what cells are categorised by */
   setMap(map) {
     if (map === this.#map) return;
     this.#map = map;

@@ -1,10 +1,12 @@
 import { around } from "../../geometry/box.js";
+import { CATEGORIES } from "../../colours/palettes.js";
 import { CellColours } from "./cell_colours.js";
 import { Gizmo } from "../camera/gizmo.js";
 import { HighlightLayer } from "./highlight_layer.js";
 import { IrregularLayer } from "./irregular_layer.js";
 import { LinesLayer } from "./lines_layer.js";
 import { fading } from "./lines_shader.js";
+import { OutlineLayer } from "./outline_layer.js";
 import { PlaneLayer } from "./plane_layer.js";
 import { release } from "./release.js";
 import { SilhouetteLayer } from "./silhouette_layer.js";
@@ -39,6 +41,7 @@ export class Layers {
   irregular = new IrregularLayer();
   plane = new PlaneLayer();
   highlight = new HighlightLayer();
+  outline = new OutlineLayer();
   gizmo = new Gizmo();
   #painter;
   /** @type {Map<string, string>} */
@@ -54,7 +57,7 @@ export class Layers {
     painter.backdrop.add(this.silhouette.group);
     painter.model.add(this.surface.mesh);
     painter.ink.add(this.edges.mesh, this.irregular.group);
-    painter.overlay.add(this.plane.group, this.highlight.group);
+    painter.overlay.add(this.plane.group, this.highlight.group, this.outline.group);
   }
 
   /** @param {import("../../geometry/records.js").Surface | null} surface */
@@ -96,7 +99,7 @@ export class Layers {
     if (background) this.#painter.background = background;
     if (colour) {
       this.surface.setColour(colour);
-      if (colour.by === "kind") this.colours.setMap("kind");
+      if (colour.by && colour.by in CATEGORIES) this.colours.setMap(colour.by);
       else if (colour.map) this.colours.setMap(colour.map);
     }
     if (separation?.line_opacity !== undefined) this.edges.opacity = separation.line_opacity;
@@ -143,7 +146,8 @@ export class Layers {
     this.surface.setDraft(view.draft, this.#draftInk(view));
     this.surface.fronts = this.outward && view.outside;
     this.silhouette.draft = view.draft;
-    for (const layer of [this.edges, this.irregular, this.plane, this.highlight]) layer.view(view);
+    for (const layer of [this.edges, this.irregular, this.plane, this.highlight, this.outline])
+      layer.view(view);
   }
 
   /**
@@ -166,8 +170,8 @@ export class Layers {
   }
 
   dispose() {
-    const { surface, edges, silhouette, irregular, plane, highlight, gizmo, colours } = this;
-    for (const layer of [surface, edges, silhouette, irregular, plane, highlight, gizmo, colours])
+    const { surface, edges, silhouette, irregular, plane, highlight, outline, gizmo, colours } = this;
+    for (const layer of [surface, edges, silhouette, irregular, plane, highlight, outline, gizmo, colours])
       layer.dispose();
   }
 }

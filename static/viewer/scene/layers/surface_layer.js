@@ -18,7 +18,7 @@ import { boxOf } from "../../geometry/box.js";
 import { meanSide } from "../../geometry/mean_side.js";
 import { componentsOf } from "../../colours/components.js";
 import { DRAFT_FRAGMENT, DRAFT_VERTEX } from "./draft_shader.js";
-import { NOT_FINITE } from "../../colours/palettes.js";
+import { CATEGORIES, NOT_FINITE } from "../../colours/palettes.js";
 import { flatQuadIndex, quadIndex } from "../../geometry/quad_index.js";
 import { SURFACE_FRAGMENT, SURFACE_VERTEX } from "./surface_shader.js";
 import { isTriangle } from "../../geometry/triangle.js";
@@ -144,7 +144,7 @@ export class SurfaceLayer {
   /** @param {NonNullable<import("../types.js").SceneStatus["colour"]>} colour */
   setColour(colour) {
     this.uniforms.byCell.value = colour.by !== undefined && colour.by !== "sides";
-    this.uniforms.paletteScale.value = colour.by === "kind" ? 1 : 255;
+    this.uniforms.paletteScale.value = colour.by && colour.by in CATEGORIES ? 1 : 255;
     if (colour.outside) this.uniforms.outsideColour.value.set(...componentsOf(colour.outside));
     if (colour.inside) this.uniforms.insideColour.value.set(...componentsOf(colour.inside));
   }

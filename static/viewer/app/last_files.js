@@ -1,0 +1,120 @@
+/**
+ * The files that were opened last, kept in this browser, so that they can be opened again after a reload: their contents in a
+ * database, the settings that they were seen under beside.
+ *
+ * @typedef {import("./files.js").Found} Found
+ */
+
+const DATABASE = "hexalab";
+const STORE = "last";
+const STATUS = "hexalab.last-status";
+
+/** Bytes up to which files are kept. */
+const MOST = 256 * 2 ** 20;
+
+/** Milliseconds after a change until settings are written. */
+const REST = 500;
+
+export class LastFiles {
+  #app;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #writing;
+
+  /** @param {import("./app.js").App} app */
+  constructor(app) {
+    this.#app = app;
+  }
+
+  /** Offer what was open when the page was left, and keep what is opened. */
+  async start() {
+    const { store, facts } = this.#app;
+    store.on("*", () => this.#writeSoon());
+    facts.on("remember", (on) => !on && void this.forget());
+    const found = facts.get("remember") ? await this.#read() : null;
+    if (!found?.length || facts.get("summary")) return;
+    const press = () => this.#again(found);
+    facts.set({ again: { name: found[0].path, press } });
+  }
+
+  /** @param {readonly Found[]} found */
+  async keep(found) {
+    this.#app.facts.set({ again: null });
+    const size = found.reduce((sum, { file }) => sum + file.size, 0);
+    if (!this.#app.facts.get("remember") || size > MOST) return this.forget();
+    await this.#transact("readwrite", (store) => store.put([...found], "files"));
+    this.#write();
+  }
+
+  async forget() {
+    clearTimeout(this.#writing);
+    this.#app.facts.set({ again: null });
+    kept(() => localStorage.removeItem(STATUS));
+    await this.#transact("readwrite", (store) => store.delete("files"));
+  }
+
+  /** @param {readonly Found[]} found */
+  async #again(found) {
+    const status = kept(() => JSON.parse(localStorage.getItem(STATUS) ?? "null"));
+    const { documents, drawing } = this.#app;
+    try {
+      await this.#app.openFiles(found);
+      if (status) await documents.replaceBy([status]);
+      await drawing.update();
+    } catch {
+      // said in a message by whoever failed
+    }
+  }
+
+  /** @returns {Promise<Found[] | null>} */
+  async #read() {
+    return /** @type {Found[] | null} */ (await this.#transact("readonly", (store) => store.get("files")));
+  }
+
+  #writeSoon() {
+    clearTimeout(this.#writing);
+    this.#writing = setTimeout(() => this.#write(), REST);
+  }
+
+  /** Settings are kept with a file of one's own; of others the address tells. */
+  #write() {
+    const { facts, store } = this.#app;
+    if (!facts.get("remember") || !facts.get("summary") || facts.get("entry")) return;
+    kept(() => localStorage.setItem(STATUS, JSON.stringify(store.status)));
+  }
+
+  /**
+   * @param {IDBTransactionMode} mode @param {(store: IDBObjectStore) => IDBRequest} ask
+   * @returns {Promise<unknown>} null where the browser keeps nothing, as in private windows, or its storage is full
+   */
+  async #transact(mode, ask) {
+    try {
+      const opening = indexedDB.open(DATABASE, 1);
+      opening.onupgradeneeded = () => opening.result.createObjectStore(STORE);
+      const database = await answerOf(opening);
+      try {
+        return (await answerOf(ask(database.transaction(STORE, mode).objectStore(STORE)))) ?? null;
+      } finally {
+        database.close();
+      }
+    } catch {
+      return null;
+    }
+  }
+}
+
+/** @template T @param {IDBRequest<T>} request @returns {Promise<T>} */
+function answerOf(request) {
+  return new Promise((resolve, reject) => {
+    request.onsuccess = () => resolve(request.result);
+    request.onerror = () => reject(request.error);
+  });
+}
+
+/** What a browser may refuse to keep. @template T @param {() => T} act @returns {T | null} */
+function kept(act) {
+  try {
+    return act();
+  } catch {
+    return null;
+  }
+}

@@ -1,0 +1,31 @@
+import { decimal } from "../state/numbers.js";
+import { quantityOf } from "../state/quantity.js";
+import { watch } from "../widgets/bind.js";
+import { h, setText } from "../widgets/dom.js";
+
+/**
+ * A short label at the cell that is meant: its number, and the value that is looked at.
+ *
+ * @param {import("../widgets/bind.js").Context} context
+ * @param {import("../scene/scene_like.js").SceneLike} scene
+ */
+export function cellLabel(context, scene) {
+  const element = h("p", { class: "cell-label", hidden: true, "aria-hidden": "true" });
+  /** @type {import("../scene/scene_like.js").Place | null} */
+  let place = null;
+  const show = () => {
+    const cell = context.facts.get("cell");
+    element.hidden = !cell || !place;
+    if (!cell || !place) return;
+    const { id, symbol, name } = quantityOf(context);
+    const value = cell.metrics[id];
+    setText(element, `${cell.cell}${value === undefined ? "" : ` · ${symbol || name} ${decimal(value)}`}`);
+    element.style.translate = `${Math.round(place.x)}px ${Math.round(place.y)}px`;
+  };
+  scene.on("marked", (at) => {
+    place = at;
+    show();
+  });
+  watch(context, { facts: ["cell"], status: ["colour"] }, show);
+  return element;
+}
