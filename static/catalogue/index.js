@@ -24,6 +24,7 @@ import { compare } from "./sorting.js";
  * @property {boolean} picture
  * @property {string} codes its option in each facet, a digit each
  * @property {string} text what a word is looked for in
+ * @property {string} joined the same without what parts words: "rocker_arm", "rocker arm" and "rockerarm" meet there
  */
 
 /**
@@ -48,10 +49,12 @@ export function readIndex(data) {
     const [number, slug, name, cells, low, mean, high, irregular, picture, codes, description = ""] = row;
     const source = sources[number];
     const words = [name, description, source.title, source.authors, source.year, source.venue, source.doi];
+    const text = plain(words.join(" "));
     return {
       source, slug, name, cells, low, mean, high, irregular, codes,
       picture: picture === 1,
-      text: plain(words.join(" ")),
+      text,
+      joined: joined(text),
     }; // prettier-ignore
   });
   return { facets: data.facets, rows };
@@ -66,6 +69,11 @@ export function plain(text) {
   return text.normalize("NFKD").replace(/\p{M}/gu, "").toLowerCase();
 }
 
+/** Without what parts words and what is written between them. @param {string} text */
+function joined(text) {
+  return text.replace(/[^\p{L}\p{N}]+/gu, "");
+}
+
 /**
  * @typedef {object} Query
  * @property {string} words
@@ -75,23 +83,66 @@ export function plain(text) {
  */
 
 /**
- * The rows that a query finds, in its order, and what each further choice would find.
+ * The rows that a query finds, in its order, and what each further choice would find. Where no text has all its words, those
+ * that differ by a letter count.
  *
  * @param {Index} index
  * @param {Query} query
- * @returns {{ rows: Row[], counts: number[][] }}
+ * @returns {{ rows: Row[], counts: number[][], forgiven: boolean }} forgiven: whether a letter was
  */
 export function find(index, query) {
   const words = plain(query.words).split(/\s+/).filter(Boolean);
+  const exact = index.rows.filter((row) => words.every((word) => has(row, word)));
+  const forgiven = words.length > 0 && !exact.length;
+  const rows = forgiven ? index.rows.filter((row) => words.every((word) => hasLike(row, word))) : exact;
+  return { ...narrowed(rows, index, query), forgiven: forgiven && rows.length > 0 };
+}
+
+/** @param {Row} row @param {string} word */
+function has(row, word) {
+  const plainly = joined(word);
+  return row.text.includes(word) || (plainly.length > 2 && row.joined.includes(plainly));
+}
+
+/** Letters from which on one of a word may be wrong. */
+const LONG = 4;
+
+/** @param {Row} row @param {string} word */
+function hasLike(row, word) {
+  if (has(row, word)) return true;
+  if (word.length < LONG) return false;
+  return row.text.split(/[^\p{L}\p{N}]+/u).some((one) => differByALetter(one, word));
+}
+
+/**
+ * Whether two words are the same but for one letter that is missing, too many, another, or has changed places with the next; of
+ * a longer word its beginning counts.
+ *
+ * @param {string} there @param {string} typed
+ */
+export function differByALetter(there, typed) {
+  if (there.length < typed.length - 1) return false;
+  let k = 0;
+  while (k < typed.length && there[k] === typed[k]) k++;
+  const rest = typed.slice(k);
+  return [
+    there.slice(k + 1).startsWith(rest.slice(1)) && rest.length > 0, // another letter
+    there.slice(k).startsWith(rest.slice(1)), // one too many
+    there.slice(k + 1).startsWith(rest), // one is missing
+    rest.length > 1 && there.slice(k).startsWith(rest[1] + rest[0] + rest.slice(2)),
+  ].some(Boolean);
+}
+
+/** @param {Row[]} found @param {Index} index @param {Query} query */
+function narrowed(found, index, query) {
   const wanted = index.facets.map(({ id, options }) => {
     const chosen = query.chosen[id] ?? [];
     return chosen.length ? options.map((option) => chosen.includes(option)) : null;
   });
   const counts = index.facets.map(({ options }) => options.map(() => 0));
   const rows = [];
-  for (const row of index.rows) {
+  for (const row of found) {
     if (query.source && row.source.slug !== query.source) continue;
-    if (!words.every((word) => row.text.includes(word))) continue;
     const missed = wanted.flatMap((options, facet) =>
       options === null || options[Number(row.codes[facet])] ? [] : [facet],
     );

@@ -40,10 +40,10 @@ export function startSearch(form) {
       return;
     }
     const query = readForm(form);
-    const { rows, counts } = find(index, query);
+    const { rows, counts, forgiven } = find(index, query);
     const draw = form.view.value === "table" ? table : cards;
     results.replaceChildren(draw(rows.slice(0, shown), root));
-    found.textContent = rows.length === 1 ? "1 mesh" : `${rows.length.toLocaleString("en-GB")} meshes`;
+    found.textContent = inWords(rows.length, forgiven ? query.words.trim() : "");
     more.hidden = rows.length <= shown;
     clear.hidden = addressOf(form) === "";
     showCounts(form, index, counts);
@@ -72,6 +72,14 @@ export function startSearch(form) {
   fillForm(form, location.hash.slice(1));
   toggleFilters(form);
   if (location.hash.length > 1) void show();
+}
+
+/** @param {number} rows @param {string} like what was typed, where a letter of it was forgiven */
+function inWords(rows, like) {
+  if (!rows)
+    return "Nothing is found. Try fewer words, a part of the name or an author, or take a filter off: “Clear” shows all meshes.";
+  const meshes = rows === 1 ? "1 mesh" : `${rows.toLocaleString("en-GB")} meshes`;
+  return like ? `${meshes}, of names like “${like}”` : meshes;
 }
 
 /**

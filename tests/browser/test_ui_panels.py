@@ -120,7 +120,7 @@ def test_Q4_dragging_over_the_histogram_keeps_a_band_and_its_lines_can_be_moved(
 
 
 def test_Q4_the_acceptable_range_does_not_run_through_the_largest_count(mesh: Page) -> None:
-    least = f"{hexalab.quality(MESH, 'warpage').min():.3f}"
+    least = f"{hexalab.quality(MESH, 'warpage').min():.3g}"
     for bars in ("horizontal", "vertical"):
         ui.set_status(mesh, {"colour": {"metric": "warpage"}, "histogram": {"orientation": bars}})
         ui.until(lambda: mesh.locator(".digest-line dd").first.inner_text() == least)
@@ -151,9 +151,10 @@ def test_Q4_the_histogram_is_saved_as_csv_svg_and_png(mesh: Page) -> None:
         assert waiting.value.suggested_filename == f"panels-scaled_jacobian.{kind.lower()}"
     rows = list(csv.DictReader(io.StringIO(files["CSV"].decode())))
     assert len(rows) == 20
-    edges = [float(row["low"]) for row in rows] + [float(rows[-1]["high"])]
+    low, high = "scaled_jacobian low", "scaled_jacobian high"
+    edges = [float(row[low]) for row in rows] + [float(rows[-1][high])]
     counts, _ = np.histogram(VALUES, edges)
-    assert [int(row["count"]) for row in rows] == counts.tolist()
+    assert [int(row["cells"]) for row in rows] == counts.tolist()
     root = xml.etree.ElementTree.fromstring(files["SVG"])
     assert root.tag == "{http://www.w3.org/2000/svg}svg"
     assert len(root.findall(".//*[@class='bar']")) == np.count_nonzero(counts)

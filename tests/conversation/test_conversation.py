@@ -104,6 +104,11 @@ def test_A1_a_whole_conversation(ask: Ask, said: set[str], attributed: bytes, tw
     assert bins["counts"].tolist() == [1, 1, 2], "cells 1, 2, 4, 5 are shown"
     assert (bins["counts"].dtype, bins["edges"].dtype) == (np.uint32, np.float64)
 
+    worst = say("worst", "cell:load", 2)
+    assert (worst["cells"], worst["values"], worst["not_finite"]) == ([5, 4], [5, 4], [])
+    assert worst["places"][0] == [2.5, 1.5, 0.5]
+    assert say("values", "cell:load").tolist() == [0, 1, 2, 3, 4, 5]
+
     told = say("inspect", 1)
     assert (told["kind"], told["corners"]) == ("hexahedron", [1, 2, 6, 5, 13, 14, 18, 17])
     assert set(told["metrics"]) == set(METRICS)
@@ -114,7 +119,10 @@ def test_A1_a_whole_conversation(ask: Ask, said: set[str], attributed: bytes, tw
     assert say("inspect", 1)["pending"] == []
     flow = say("value", 1, "point:flow")
     assert flow["components"] == [1.5, 0.5, 0.5]
-    assert say("cell_view", 1)["size"] == pytest.approx((3 / 14) ** 0.5)
+    view = say("cell_view", 1)
+    assert view["size"] == pytest.approx((3 / 14) ** 0.5)
+    assert view["edges"].shape == (12 * 6,)
+    assert say("cut_to", 1, [1, 0, 0]) == pytest.approx(0.5)
     assert say("neighbour", 8 * 1 + 3) == 2
     assert say("describe", "faces") == {"faces": 29, "boundary_faces": 22, "nonmanifold_faces": 0}
     assert say("validity")["valid"] == 6

@@ -194,7 +194,15 @@ SCHEMA: Schema = {
             ),
             boundary={"type": "boolean", "default": False, "description": "Edges of the boundary too"},
         ),
-        lighting=section("Light.", mode=choice("object_space_ao", "screen_space_ao", "direct", "none")),
+        lighting=section(
+            "Light.",
+            mode=choice("object_space_ao", "screen_space_ao", "direct", "none"),
+            shade={
+                **UNIT,
+                "default": 1,
+                "description": "Strength of what it darkens: 1 all, 0 nothing, as where colours are to be read off",
+            },
+        ),
         background={**COLOUR, "default": "#ffffff"},
         histogram=section(
             "How the histogram is laid out.",

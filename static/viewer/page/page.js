@@ -13,6 +13,7 @@ import { helpDialog } from "../dialogs/help.js";
 import { imageDialog } from "../dialogs/image.js";
 import { shareDialog } from "../dialogs/share.js";
 import { statusDialog } from "../dialogs/status_editor.js";
+import { fitButton } from "./fit_button.js";
 import { meshName } from "./mesh_name.js";
 import { messageList } from "./message_list.js";
 import { progressBar } from "./progress_bar.js";
@@ -42,6 +43,7 @@ export class Page {
       meshName(context),
       progressBar(context),
       emptyState(context),
+      fitButton(context),
       cellLabel(context, context.app.scene),
       inspector(context),
       messageList(context),

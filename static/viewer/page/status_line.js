@@ -6,10 +6,8 @@ import { h, setText } from "../widgets/dom.js";
 export function statusLine(context) {
   const shown = h("span", { role: "status" });
   const hover = h("span", { class: "hover-cell" });
-  watch(context, { facts: ["shown", "summary", "changed"] }, () =>
-    setText(shown, context.facts.get("changed") || shownInWords(context)),
-  );
-  watch(context, { facts: ["hover", "tool"] }, () => setText(hover, hoverInWords(context)));
+  watch(context, { facts: ["shown", "summary"] }, () => setText(shown, shownInWords(context)));
+  watch(context, { facts: ["hover", "tool", "changed"] }, () => setText(hover, hoverInWords(context)));
   return [shown, hover];
 }
 
@@ -35,7 +33,7 @@ const TOOL_WORDS = {
 function hoverInWords({ facts }) {
   const hover = facts.get("hover");
   const tool = TOOL_WORDS[facts.get("tool")];
-  if (!hover) return tool;
+  if (!hover) return [facts.get("changed"), tool].filter(Boolean).join(" · ");
   const parts = hover.components ? ` (${hover.components.map((one) => decimal(one)).join(", ")})` : "";
   const value = typeof hover.value === "number" ? `, ${hover.name} ${decimal(hover.value)}${parts}` : "";
   return [`cell ${hover.cell}${value}`, tool].filter(Boolean).join(" · ");

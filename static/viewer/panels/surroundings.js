@@ -32,6 +32,17 @@ export const surroundings = {
     },
     {
       kind: "slider",
+      id: "shade",
+      label: "Shade",
+      hint: "How much the light darkens: less where colours are to be read off",
+      path: "lighting.shade",
+      status: ["lighting.mode"],
+      range: [0, 1, 0.05],
+      digits: 2,
+      why: ({ store }) => (store.status.lighting.mode === "none" ? "there is no light" : ""),
+    },
+    {
+      kind: "slider",
       id: "silhouette",
       label: "Silhouette",
       hint: "The outline of what is hidden: none, flat, shaded",

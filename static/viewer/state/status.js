@@ -81,6 +81,7 @@
  *   },
  *   readonly lighting: {
  *     readonly mode: "object_space_ao" | "screen_space_ao" | "direct" | "none",
+ *     readonly shade: number,
  *   },
  *   readonly background: string,
  *   readonly histogram: {

@@ -65,12 +65,15 @@ def answers(attributed: bytes, infinite: bytes) -> Iterator[tuple[str, Any]]:
     for quantity in ("scaled_jacobian", "volume", "cell:load"):
         yield "quality", core.ask("quality", quantity)
         yield "histogram", core.ask("histogram", quantity, 10, True)
+        yield "worst", core.ask("worst", quantity, 3)
+        yield "values", core.ask("values", quantity)
     yield "validity", core.ask("validity")
     yield "inspect", core.ask("inspect", 0)
     for quantity in ("relative_size_squared", "point:flow", "cell:load"):
         yield "value", core.ask("value", 0, quantity)
     yield "measure_sizes", core.ask("measure_sizes")
     yield "cell_view", core.ask("cell_view", 0)
+    yield "cut_to", core.ask("cut_to", 0, [0, 0, 1])
     yield "neighbour", core.ask("neighbour", 0)
     yield "open", core.ask("open", "infinite.vtk", data=infinite)
     yield "update", core.ask("update", {"colour": {"by": "attribute", "attribute": "cell:load"}})

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { find, plain, readIndex } from "../../../static/catalogue/index.js";
+import { differByALetter, find, plain, readIndex } from "../../../static/catalogue/index.js";
 import { decimal } from "../../../static/catalogue/results.js";
 import { compare } from "../../../static/catalogue/sorting.js";
 
@@ -37,6 +37,27 @@ test("C2 words are found in names, titles, authors, years and DOIs, without acce
   assert.deepEqual(names({ words: "beam" }), ["Bar"]);
   assert.deepEqual(names({ words: "nowhere" }), []);
   assert.equal(plain("Núñez ℓ"), "nunez l");
+});
+
+test("C2 spellings of one name find each other", () => {
+  const index = readIndex({
+    facets: [],
+    sources: [["s", "Sweeping", "A. B.", 2016, "", "", ""]],
+    meshes: ["rockerarm", "Rocker arm", "rocker_arm-2", "arm"].map((name) => [0, name, name]),
+  });
+  for (const words of ["rockerarm", "rocker arm", "rocker_arm", "Rocker-Arm"])
+    assert.equal(find(index, { ...NOTHING, words }).rows.length, 3, words);
+});
+
+test("C2 a wrong letter is forgiven where nothing has the word", () => {
+  for (const words of ["bnuny", "buny", "bunnny", "bonny", "bunn"])
+    assert.deepEqual(names({ words }), ["Bunny"], words);
+  assert.deepEqual(names({ words: "baby" }), []);
+  assert.deepEqual(names({ words: "cub" }), ["Cube"]);
+  assert.equal(find(INDEX, { ...NOTHING, words: "bnuny" }).forgiven, true);
+  assert.equal(find(INDEX, { ...NOTHING, words: "bunny" }).forgiven, false);
+  assert.ok(differByALetter("armadillo", "armadilo") && differByALetter("armadillo", "armadi"));
+  assert.ok(!differByALetter("arm", "armadillo") && !differByALetter("gear", "bear2"));
 });
 
 test("C2 options of one facet add up, facets narrow each other", () => {

@@ -1,4 +1,4 @@
-import { SURFACE_COLOUR, SURFACE_INPUTS } from "./surface_shader.js";
+import { HEADLIGHT, SURFACE_COLOUR, SURFACE_INPUTS } from "./surface_shader.js";
 
 /**
  * The shown surface with its edges, for GPUs that are too slow for the whole picture while something moves: colour and light
@@ -7,19 +7,21 @@ import { SURFACE_COLOUR, SURFACE_INPUTS } from "./surface_shader.js";
 export const DRAFT_VERTEX = `
 ${SURFACE_INPUTS}
 uniform int lighting;
+uniform float shade;
 
 out vec3 vColour;
 out vec3 vPlace;
 
+${HEADLIGHT}
 ${SURFACE_COLOUR}
 void main() {
   vec4 view = modelViewMatrix * vec4(position, 1.0);
   gl_Position = projectionMatrix * view;
   vec3 eye = projectionMatrix[3][3] == 1.0 ? vec3(0.0, 0.0, 1.0) : normalize(view.xyz);
   float facing = abs(dot(normalize(normalMatrix * normal.xyz), eye));
-  float light = lighting == 1 ? mix(0.36, 1.0, pow(facing, 0.8)) : lighting == 0 ? 1.0 : mix(0.85, 1.0, facing);
+  float light = lighting == 1 ? headlight(facing) : lighting == 0 ? 1.0 : mix(0.85, 1.0, facing);
   if (occlusionShare > 0.0) light *= openness(gl_VertexID);
-  vColour = colourOf(cell, inside) * light;
+  vColour = colourOf(cell, inside) * mix(1.0, light, shade);
   // The third side of a triangle a b c c is the diagonal of its square; the square itself has none to draw.
   int corner = gl_VertexID & 3;
   vec2 place = vec2(corner == 1 || corner == 2 ? 1.0 : 0.0, corner > 1 ? 1.0 : 0.0);

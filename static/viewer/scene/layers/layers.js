@@ -104,6 +104,7 @@ export class Layers {
     }
     if (separation?.line_opacity !== undefined) this.edges.opacity = separation.line_opacity;
     if (separation?.line_width !== undefined) this.edges.width = separation.line_width;
+    if (status.lighting?.shade !== undefined) this.surface.shade = status.lighting.shade;
     if (silhouette !== undefined) {
       this.silhouette.strength = silhouette;
       this.#painter.renewBackdrop();

@@ -62,6 +62,7 @@ export class SurfaceLayer {
       occlusionShare: { value: 0 },
       fourByFour: { value: true },
       lighting: { value: 1 },
+      shade: { value: 1 },
       screenShare: { value: 0 },
       screenOpenness: { value: /** @type {import("three").Texture} */ (this.#white) },
       screenScale: { value: new Vector2(1, 1) },
@@ -130,6 +131,11 @@ export class SurfaceLayer {
   /** @param {import("../../lighting/lighting.js").LightingMode} mode */
   set lighting(mode) {
     this.uniforms.lighting.value = LIGHTING[mode] ?? 1;
+  }
+
+  /** Strength of the light's shade. @param {number} shade 0 to 1 */
+  set shade(shade) {
+    this.uniforms.shade.value = shade;
   }
 
   /**

@@ -26,6 +26,16 @@ uniform usampler2D occlusion;
 uniform float occlusionShare;
 `;
 
+/**
+ * GLSL: a lamp at the eye. Lambert's cosine law over the original's emission of 0x30 of 255, so that a side seen edge on is as
+ * dark as there, and one that faces the eye has the colour that was chosen.
+ */
+export const HEADLIGHT = `
+float headlight(float facing) {
+  return mix(0.19, 1.0, facing);
+}
+`;
+
 /** GLSL: a vertex's colour before light, and how open it is to light. */
 export const SURFACE_COLOUR = `
 ${CELL_TEXEL}
@@ -94,6 +104,7 @@ flat in vec4 vCorners;
 out vec4 pixel;
 
 uniform int lighting;
+uniform float shade;
 uniform bool fourByFour;
 uniform float occlusionShare;
 uniform float screenShare;
@@ -101,6 +112,7 @@ uniform sampler2D screenOpenness;
 uniform vec2 screenScale;
 uniform vec2 screenOffset;
 
+${HEADLIGHT}
 // A face's four terms run bilinearly over it, not along the diagonal it happens to be cut at.
 float faceOpenness() {
   if (!fourByFour) return vOpen;
@@ -111,7 +123,7 @@ void main() {
   vec3 light = vec3(1.0);
   float facing = abs(dot(normalize(vNormal), normalize(vView)));
   if (lighting == 1) {
-    light = vec3(mix(0.36, 1.0, pow(facing, 0.8)));
+    light = vec3(headlight(facing));
   } else if (lighting >= 2) {
     float open = 1.0;
     if (screenShare > 0.0) {
@@ -121,6 +133,6 @@ void main() {
     if (occlusionShare > 0.0) open = mix(open, faceOpenness(), occlusionShare);
     light = vec3(open * mix(0.85, 1.0, facing));
   }
-  pixel = vec4(vColour * light, 1.0);
+  pixel = vec4(vColour * mix(vec3(1.0), light, shade), 1.0);
 }
 `;
