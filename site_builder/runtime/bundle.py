@@ -29,9 +29,11 @@ def bundle(root: Path, out: Path) -> dict[str, str]:
         str(root / "node_modules" / ".bin" / "esbuild"),
         *(f"{name}={root / path}" for name, path in ENTRIES.items()),
         "--bundle", "--format=esm", "--target=es2022", "--minify", "--sourcemap=linked", "--legal-comments=eof",
-        "--loader:.glsl=text", "--loader:.svg=text", f"--outdir={out}", "--entry-names=[name]-[hash]",
-        f"--metafile={meta}", "--log-level=warning",
+        "--splitting", "--chunk-names=[name]-[hash]", "--external:html2canvas", "--external:dompurify",
+        "--external:canvg", "--loader:.glsl=text", "--loader:.svg=text", f"--outdir={out}",
+        "--entry-names=[name]-[hash]", f"--metafile={meta}", "--log-level=warning",
     ]  # fmt: skip
+    # What is external, jsPDF would load for HTML and for SVG by another way than ours: it is never asked for.
     done = subprocess.run(command, capture_output=True, text=True, cwd=root)
     if done.returncode:
         raise RuntimeError(f"bundling the viewer failed:\n{done.stderr.strip()}")

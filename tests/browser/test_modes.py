@@ -152,7 +152,7 @@ def test_V1_V5_each_mode_under_each_light_looks_as_it_did(guarded: Page, name: s
     [
         {"silhouette": 0},
         {"colour": {"inside": "#ffa000"}},
-        {"colour": {"outside": "#ffe0ff"}},
+        {"colour": {"outside": "#ffc8ff"}},
         {"separation": {"mode": "lines", "line_opacity": 0}},
         {"irregular": {"mode": 5, "boundary": True}},
         {"background": "#f0f0f0"},

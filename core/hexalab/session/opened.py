@@ -217,10 +217,11 @@ class Opened:
             return np.asarray(1 - metric.normalise(values, *reach))
         low, high = sorted(limits or reach)
         with np.errstate(invalid="ignore", over="ignore"):
+            share: Floats = np.zeros(len(values))  # where all values are alike
             if high > low:
                 share = (values / 2 - low / 2) / (high / 2 - low / 2)
-            else:  # all values are alike, or the range was set to a single one
-                share = (values > low) * 1.0 if limits else np.zeros(len(values))
+            elif limits:
+                share[values > low] = 1
             normal = np.clip(share, 0, 1)
         normal = np.where(np.isfinite(values), normal, np.nan)
         turned = metric is not None and metric.better == "high"

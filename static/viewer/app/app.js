@@ -4,6 +4,7 @@ import { Documents } from "./documents.js";
 import { Drawing } from "./drawing.js";
 import { Measures } from "./measures.js";
 import { Messages } from "./messages.js";
+import { Figures } from "./figures.js";
 import { Files, foundOf } from "./files.js";
 import { LastFiles } from "./last_files.js";
 import { fromUrl, Opening } from "./opening.js";
@@ -61,6 +62,7 @@ export class App {
     this.opening = new Opening(this);
     this.views = new Views(this);
     this.files = new Files(this);
+    this.figures = new Figures(this);
     this.steps = new Steps(this);
     this.lastFiles = new LastFiles(this);
     this.batch = new Batch(this);

@@ -94,8 +94,8 @@ export function paletteColour(map, position) {
 export function mapColours(map) {
   return (position) => {
     if (!Number.isFinite(position)) return NOT_FINITE;
-    const [r, g, b] = paletteColour(map, position).map((part) => Math.round(part * 255));
-    return `rgb(${r} ${g} ${b})`;
+    const bytes = paletteColour(map, position).map((part) => Math.round(part * 255));
+    return `#${bytes.map((byte) => byte.toString(16).padStart(2, "0")).join("")}`;
   };
 }
 

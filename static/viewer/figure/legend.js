@@ -69,7 +69,7 @@ export function legend(scale, box, style, upright) {
       : (along, away) => [box.x + axis + 0.5 * label + along, box.y + box.height - before - away],
   };
   const title = scale.title
-    ? [words(scale.title, box.x, box.y + letter, { style, anchor: "start", weight: 600 })]
+    ? [words(scale.title, box.x, box.y + letter, { style, anchor: "start", weight: "bold" })]
     : [];
   return [
     ...title,
@@ -87,9 +87,9 @@ export function widthOf(text, letter) {
 
 /**
  * @param {string} text @param {number} x @param {number} y
- * @param {{ style: Style, anchor: "start" | "middle" | "end", weight?: number, turned?: boolean }} how
+ * @param {{ style: Style, anchor: "start" | "middle" | "end", weight?: "normal" | "bold", turned?: boolean }} how
  */
-export function words(text, x, y, { style, anchor, weight = 400, turned = false }) {
+export function words(text, x, y, { style, anchor, weight = "normal", turned = false }) {
   return s(
     "text",
     {
@@ -111,7 +111,7 @@ function strip({ data, colour }, direction, { point, ink }) {
   const bins = data.counts.length;
   const parts = Array.from({ length: bins }, (_, bin) => {
     const [from, to] = [(bin / bins) * direction.length, ((bin + 1) / bins) * direction.length];
-    return rectangle(direction, [from, Math.min(direction.length, to + 0.4)], [0, BAR * point], {
+    return rectangle(direction, [from, Math.min(direction.length, to + 1)], [0, BAR * point], {
       fill: colour(Number(data.map_position[bin])),
     });
   });

@@ -32,6 +32,10 @@ export class BlankScene {
     this.camera = camera;
   }
 
+  halfHeight() {
+    return 1;
+  }
+
   cameraOnShown() {
     return null;
   }

@@ -255,6 +255,14 @@ export class Scene {
     return this.#rig.status;
   }
 
+  /** Half the height of what a picture of a shape sees, at the target's distance, in diagonals. @param {number} aspect width over height */
+  halfHeight(aspect) {
+    this.#view.aim(aspect, true);
+    const { halfHeight } = this.#rig;
+    this.#view.aim();
+    return halfHeight;
+  }
+
   /** @returns {Promise<void>} when the picture is drawn and will not change by itself */
   settled() {
     this.#loop.invalidate();

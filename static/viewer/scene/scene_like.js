@@ -55,6 +55,7 @@
  * @property {import("./types.js").CameraStatus} camera as it stands at the moment
  * @property {(filled?: number) => Partial<import("./types.js").CameraStatus> | null} cameraOnShown that sees what is shown whole, from
  *   the present direction; null where nothing is
+ * @property {(aspect: number) => number} halfHeight of what a picture of a shape sees, at the target's distance, in diagonals
  * @property {() => Promise<void>} settled when the picture is drawn and will not change by itself
  * @property {(options?: PictureOptions) => Promise<Blob>} screenshot
  * @property {() => DrawnCounts} drawn

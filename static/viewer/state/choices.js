@@ -5,6 +5,13 @@
  * @typedef {import("./tables.js").Tables} Tables
  */
 
+const CORNERS = {
+  bottom_left: "below, left",
+  bottom_right: "below, right",
+  top_left: "above, left",
+  top_right: "above, right",
+};
+
 /** @type {{ readonly [Path in keyof Choices]: Readonly<Record<Choices[Path], string>> }} */
 const NAMES = {
   "camera.projection": { perspective: "Perspective", orthographic: "Orthographic" },
@@ -31,6 +38,21 @@ const NAMES = {
   },
   "histogram.orientation": { horizontal: "upright", vertical: "lying" },
   "histogram.scale": { linear: "linear", log: "logarithmic" },
+  "figure.unit": { px: "pixels", mm: "millimetres" },
+  "figure.legend": { none: "none", bar: "colour bar", histogram: "histogram" },
+  "figure.legend_place": { right: "right", left: "left" },
+  "figure.scale_bar_place": CORNERS,
+  "figure.axes_place": CORNERS,
+  "figure.panels.setting": {
+    none: "one picture",
+    peel: "peel",
+    regularisation: "regularisation",
+    irregular: "irregular edges",
+    separation: "separation",
+    slice: "slice",
+    silhouette: "silhouette",
+    line_opacity: "darkness of lines",
+  },
 };
 
 /** The steps of the irregular edges. */

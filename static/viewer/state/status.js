@@ -89,6 +89,30 @@
  *     readonly scale: "linear" | "log",
  *     readonly bins: number,
  *   },
+ *   readonly figure: {
+ *     readonly unit: "px" | "mm",
+ *     readonly width: number | null,
+ *     readonly height: number | null,
+ *     readonly resolution: number,
+ *     readonly letters: number,
+ *     readonly margin: number,
+ *     readonly transparent: boolean,
+ *     readonly crop: boolean,
+ *     readonly legend: "none" | "bar" | "histogram",
+ *     readonly legend_place: "right" | "left",
+ *     readonly legend_title: string,
+ *     readonly scale_bar: boolean,
+ *     readonly scale_bar_place: "bottom_left" | "bottom_right" | "top_left" | "top_right",
+ *     readonly axes: boolean,
+ *     readonly axes_place: "bottom_right" | "bottom_left" | "top_left" | "top_right",
+ *     readonly caption: boolean,
+ *     readonly caption_text: string,
+ *     readonly panels: {
+ *       readonly setting: "none" | "peel" | "regularisation" | "irregular" | "separation" | "slice" | "silhouette" | "line_opacity",
+ *       readonly values: readonly number[],
+ *       readonly labels: boolean,
+ *     },
+ *   },
  * }} Status
  */
 
@@ -113,6 +137,12 @@
  *   "lighting.mode": Status["lighting"]["mode"],
  *   "histogram.orientation": Status["histogram"]["orientation"],
  *   "histogram.scale": Status["histogram"]["scale"],
+ *   "figure.unit": Status["figure"]["unit"],
+ *   "figure.legend": Status["figure"]["legend"],
+ *   "figure.legend_place": Status["figure"]["legend_place"],
+ *   "figure.scale_bar_place": Status["figure"]["scale_bar_place"],
+ *   "figure.axes_place": Status["figure"]["axes_place"],
+ *   "figure.panels.setting": Status["figure"]["panels"]["setting"],
  * }} Choices
  */
 

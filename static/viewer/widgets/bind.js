@@ -27,8 +27,9 @@
  * @property {(format: ChartFormat) => unknown} saveHistogram
  * @property {{ reset: () => void, fitShown: () => void, flyToShown: () => Promise<void> }} views
  * @property {{ dismiss: (id: number) => void }} messages
+ * @property {Pick<import("../app/figures.js").Figures, "file" | "lastSize">} figures
  * @property {{ text: () => string, apply: (document: unknown) => Promise<import("../state/answers.js").Rejection[]> }} documents
- * @property {{ savePicture: (size: Size & { transparent: boolean }) => unknown, saveStatus: () => void, link: () => Promise<string> }} saving
+ * @property {{ stem: string, saveStatus: () => void, link: () => Promise<string> }} saving
  * @property {(files: readonly File[]) => Promise<void>} offerBatch
  * @property {{ run: (entries: import("../files/zip.js").Entry[], options: Size & Run) => Promise<{ zip: Blob, failed: { name: string, problem: string }[] }> }} batch
  * @property {import("../scene/scene_like.js").SceneLike} scene

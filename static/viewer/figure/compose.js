@@ -1,0 +1,95 @@
+import { s } from "../widgets/dom.js";
+import { legend, words } from "./legend.js";
+import { lineAt } from "./layout.js";
+import { axes, panelLetter, scaleBar } from "./overlay.js";
+
+/**
+ * A figure as SVG: pictures inside, words as text.
+ *
+ * @typedef {import("./layout.js").Layout} Layout
+ * @typedef {import("./legend.js").Style} Style
+ * @typedef {import("./legend.js").Scale} Scale
+ *
+ * @typedef {object} Figure
+ * @property {number} width pixels
+ * @property {number} height
+ * @property {string} background "none" where it is transparent
+ * @property {Layout} layout
+ * @property {Style} style
+ * @property {boolean} letters whether panels have their letters
+ * @property {Scale | { colours: { colour: string, name: string }[], title: string } | null} scale what the legend tells
+ * @property {{ corner: import("./overlay.js").Corner, unit: number } | null} scaleBar pixels to a length of 1, of a picture
+ * @property {{ corner: import("./overlay.js").Corner, tips: [number, number, number][] } | null} axes
+ * @property {string[]} caption its lines
+ */
+
+/**
+ * @param {Figure} figure
+ * @param {readonly string[]} pictures their addresses; none: what stands around and over them alone
+ * @returns {SVGElement}
+ */
+export function composed(figure, pictures = []) {
+  const { width, height, background, layout, style } = figure;
+  const images = pictures.map((href, k) => s("image", { ...layout.pictures[k], href }));
+  const ground =
+    pictures.length && background !== "none" ? [s("rect", { width, height, fill: background })] : [];
+  const svg = s(
+    "svg",
+    { xmlns: "http://www.w3.org/2000/svg", viewBox: `0 0 ${width} ${height}`, width, height },
+    ...ground,
+    ...images,
+    ...over(figure),
+  );
+  for (const text of svg.querySelectorAll("text")) text.setAttribute("font-family", style.family);
+  return svg;
+}
+
+/** @param {Figure} figure @returns {SVGElement[]} */
+function over({ layout, style, letters, scale, scaleBar: bar, axes: directions, caption }) {
+  const [first] = layout.pictures;
+  const last = layout.pictures[layout.pictures.length - 1];
+  const letter = style.size * style.point;
+  return [
+    ...(letters ? layout.pictures.flatMap((box, k) => panelLetter(box, k, style)) : []),
+    ...(bar ? scaleBar(bar.corner.endsWith("left") ? first : last, bar.corner, bar.unit, style) : []),
+    ...(directions
+      ? axes(directions.corner.endsWith("left") ? first : last, directions.corner, directions.tips, style)
+      : []),
+    ...(layout.legend && scale ? legendOf(scale, layout.legend, style) : []),
+    ...(layout.caption
+      ? caption.map((text, k) => {
+          const [x, y] = lineAt(/** @type {import("./layout.js").Box} */ (layout.caption), k, letter);
+          return words(text, x, y, { style, anchor: "start" });
+        })
+      : []),
+  ];
+}
+
+/** @param {NonNullable<Figure["scale"]>} scale @param {import("./layout.js").Box} box @param {Style} style @returns {SVGElement[]} */
+function legendOf(scale, box, style) {
+  if ("data" in scale) return legend(scale, box, style, true);
+  const letter = style.size * style.point;
+  return [
+    words(scale.title, box.x, box.y + letter, { style, anchor: "start", weight: "bold" }),
+    ...scale.colours.flatMap(({ colour, name }, k) => {
+      const y = box.y + (2 + 1.6 * k) * letter;
+      return [
+        s("rect", {
+          x: box.x,
+          y,
+          width: letter,
+          height: letter,
+          fill: colour,
+          stroke: style.ink,
+          "stroke-width": 0.4 * style.point,
+        }),
+        words(name, box.x + 1.6 * letter, y + 0.85 * letter, { style, anchor: "start" }),
+      ];
+    }),
+  ];
+}
+
+/** @param {SVGElement} svg */
+export function textOf(svg) {
+  return new XMLSerializer().serializeToString(svg);
+}

@@ -1,0 +1,104 @@
+import { tickText } from "../charts/ticks.js";
+import { s } from "../widgets/dom.js";
+import { line, widthOf, words } from "./legend.js";
+
+/**
+ * What stands over a picture of a figure: scale bar, axes, the panel's letter.
+ *
+ * @typedef {import("./layout.js").Box} Box
+ * @typedef {import("./legend.js").Style} Style
+ * @typedef {"bottom_left" | "bottom_right" | "top_left" | "top_right"} Corner
+ */
+
+/** Longest scale bar, as a part of the picture's width. */
+const LONGEST = 0.28;
+
+/** Colours of x, y, z: those of the axes on the screen. */
+const AXES = ["#c8372d", "#2f7d4f", "#2f5fc0"];
+
+/**
+ * A round length, 1, 2 or 5 times a power of ten, that is no longer than a length.
+ *
+ * @param {number} longest
+ */
+export function roundLength(longest) {
+  const power = 10 ** Math.floor(Math.log10(longest));
+  return power * ([5, 2, 1].find((factor) => factor * power <= longest * (1 + 1e-9)) ?? 1);
+}
+
+/** @param {Box} box @param {Corner} corner @param {number} aside @returns {{ x: number, y: number, right: boolean, top: boolean }} */
+function cornerOf(box, corner, aside) {
+  const [right, top] = [corner.endsWith("right"), corner.startsWith("top")];
+  return {
+    x: right ? box.x + box.width - aside : box.x + aside,
+    y: top ? box.y + aside : box.y + box.height - aside,
+    right,
+    top,
+  };
+}
+
+/**
+ * @param {Box} box @param {Corner} corner @param {number} unit pixels to a length of 1 in the file's unit @param {Style} style
+ * @returns {SVGElement[]}
+ */
+export function scaleBar(box, corner, unit, style) {
+  const letter = style.size * style.point;
+  const length = roundLength((LONGEST * box.width) / unit);
+  const { x, y, right, top } = cornerOf(box, corner, letter);
+  const [from, to] = right ? [x - length * unit, x] : [x, x + length * unit];
+  const base = top ? y + 1.4 * letter : y;
+  const end = 0.3 * letter;
+  return [
+    line([from, base], [to, base], style),
+    line([from, base - end], [from, base + end], style),
+    line([to, base - end], [to, base + end], style),
+    words(tickText(length), (from + to) / 2, base - 0.55 * letter, { style, anchor: "middle" }),
+  ];
+}
+
+/**
+ * @param {Box} box @param {Corner} corner
+ * @param {readonly (readonly [number, number, number])[]} tips of the axes of length 1 in the view's frame: right, up, to the eye
+ * @param {Style} style
+ * @returns {SVGElement[]}
+ */
+export function axes(box, corner, tips, style) {
+  const letter = style.size * style.point;
+  const reach = Math.min(4 * letter, 0.18 * Math.min(box.width, box.height));
+  const { x, y } = cornerOf(box, corner, reach + 1.6 * letter);
+  const order = [0, 1, 2].sort((a, b) => tips[a][2] - tips[b][2]);
+  return order.flatMap((axis) => {
+    const [right, up] = tips[axis];
+    const end = /** @type {[number, number]} */ ([x + reach * right, y - reach * up]);
+    const ink = { ...style, ink: AXES[axis] };
+    const away = reach + 0.75 * letter;
+    return [
+      thick(line([x, y], end, ink), style),
+      words("xyz"[axis], x + away * right, y - away * up + 0.3 * letter, { style: ink, anchor: "middle" }),
+    ];
+  });
+}
+
+/** @param {SVGElement} element @param {Style} style */
+function thick(element, { point }) {
+  element.setAttribute("stroke-width", String(Math.round(120 * point) / 100));
+  element.setAttribute("stroke-linecap", "round");
+  return element;
+}
+
+/** "a)", on a pale ground, so that it is read over whatever is drawn. @param {Box} box @param {number} panel @param {Style} style @returns {SVGElement[]} */
+export function panelLetter(box, panel, style) {
+  const letter = style.size * style.point;
+  const text = `${"abcdef"[panel]})`;
+  return [
+    s("rect", {
+      x: box.x,
+      y: box.y,
+      width: widthOf(text, letter) + 0.6 * letter,
+      height: 1.5 * letter,
+      fill: "#ffffff",
+      "fill-opacity": 0.8,
+    }),
+    words(text, box.x + 0.3 * letter, box.y + 1.1 * letter, { style, anchor: "start" }),
+  ];
+}
