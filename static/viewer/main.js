@@ -26,7 +26,7 @@ const client = new CoreClient(
   }),
 );
 const { scene, lack } = makeScene();
-const app = new App({ store, facts, client, scene, tables, root: /** @type {string} */ (root) });
+const app = new App({ store, facts, client, scene, tables, canvas, root: /** @type {string} */ (root) });
 const page = new Page({ store, facts, app, tables }, canvas);
 
 app.start();

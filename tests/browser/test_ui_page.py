@@ -234,12 +234,22 @@ def test_A3_an_embedding_page_talks_to_the_frame(page: Page, site: str, shelf: P
             const opened = await answer;
             const refusal = heard((data) => data.id === 8);
             frame.contentWindow.postMessage({ hexalab: "open", id: 8, args: [address + "no"] }, "*");
-            return [opened.result, (await refusal).error];
+            const order = [];
+            addEventListener("message", ({ data }) => data.id > 9 && order.push(data.id));
+            const last = heard((data) => data.id === 12);
+            frame.contentWindow.postMessage({ hexalab: "settled", id: 10 }, "*");
+            frame.contentWindow.postMessage({ hexalab: "explode", id: 11 }, "*");
+            frame.contentWindow.postMessage({ hexalab: "summary", id: 12 }, "*");
+            const unknown = await heard((data) => data.id === 11);
+            await last;
+            return [opened.result, (await refusal).error, unknown.error, order];
         }""",
         f"{site}/bench/frame.mesh",
     )
     assert summary[0]["cells"] == 64
     assert "404" in summary[1]
+    assert "there is no method ‘explode’, but open, summary" in summary[2]
+    assert summary[3] == [10, 11, 12], "answers come in the order of questions"
     page.console_errors.clear()  # type: ignore[attr-defined]
 
 

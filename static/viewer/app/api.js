@@ -94,6 +94,16 @@ export class HexaLab {
     return this.#app.saving.picture(options);
   }
 
+  /**
+   * The figure that the status asks for (its section `figure`): pictures with legend, scale bar, axes, caption.
+   *
+   * @param {import("./figures.js").FigureFormat} [format] "png", which carries the status, "svg" or "pdf"
+   * @returns {Promise<Blob>}
+   */
+  figure(format = "png") {
+    return this.#app.figures.file(format, this.#app.canvas);
+  }
+
   /** Statistics of a metric or an attribute over the mesh. @param {string} quantity id @returns {Promise<import("../state/answers.js").Statistics>} */
   quality(quantity) {
     return this.#app.client.call("quality", [quantity]);
@@ -142,6 +152,7 @@ const METHODS = [
   "reset",
   "settled",
   "screenshot",
+  "figure",
   "quality",
   "batch",
   "drawn",

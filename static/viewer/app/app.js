@@ -23,7 +23,7 @@ import { Catalogue } from "../catalogue/catalogue.js";
  * The application: holds status, facts, core and scene together. Panels, keys and scripts call its actions; settings
  * go through the store.
  *
- *     const app = new App({ store, facts, client, scene, tables, root: "../" });
+ *     const app = new App({ store, facts, client, scene, tables, canvas, root: "../" });
  *     app.start();
  *     await app.openFiles([file]);
  *
@@ -33,6 +33,7 @@ import { Catalogue } from "../catalogue/catalogue.js";
  * @property {import("../core/client.js").CoreClient} client
  * @property {import("../scene/scene_like.js").SceneLike} scene
  * @property {import("../state/tables.js").Tables} tables
+ * @property {HTMLCanvasElement} canvas
  * @property {string} root address of the site's root, as the page has it
  *
  * @typedef {import("../state/facts.js").MeshSummary} MeshSummary
@@ -45,12 +46,13 @@ export class App {
   catalogue = Promise.resolve(null);
 
   /** @param {Parts} parts */
-  constructor({ store, facts, client, scene, tables, root }) {
+  constructor({ store, facts, client, scene, tables, canvas, root }) {
     this.store = store;
     this.facts = facts;
     this.client = client;
     this.scene = scene;
     this.tables = tables;
+    this.canvas = canvas;
     this.root = root;
     this.messages = new Messages(facts);
     this.progress = new Progress(facts);

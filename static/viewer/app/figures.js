@@ -2,6 +2,7 @@ import { categoryColour, mapColours } from "../colours/palettes.js";
 import { composed, textOf } from "../figure/compose.js";
 import { FAMILY, INK } from "../figure/legend.js";
 import { layOut, wrapped } from "../figure/layout.js";
+import { cutTo, LARGEST } from "../figure/cut.js";
 import { contentOf, cropped, dataAddress, rasterised } from "../figure/raster.js";
 import { writeStatus } from "../files/png_text.js";
 import { KIND_NAMES, KINDS } from "../state/kinds.js";
@@ -17,9 +18,6 @@ import { quantityOf } from "../state/quantity.js";
  * @property {Figure} figure
  * @property {Blob[]} pictures
  */
-
-/** Pixels of a figure's side, at most. */
-export const LARGEST = 8192;
 
 /** Pixels of the picture in which the content is looked for, along its longer side. */
 const LOOKED_AT = 480;
@@ -87,6 +85,7 @@ export class Figures {
       letters: asked.letters,
       margin: asked.margin,
       panels: panels.length,
+      lettered: panels.length > 1 && asked.panels.labels,
       legend: !scale
         ? /** @type {const} */ ("none")
         : "data" in scale
@@ -122,7 +121,7 @@ export class Figures {
         background: asked.transparent ? "none" : status.background,
         layout,
         style,
-        letters: panels.length > 1 && asked.panels.labels,
+        letters: laid.lettered,
         scale,
         scaleBar: asked.scale_bar
           ? { corner: asked.scale_bar_place, unit: take.whole.height / (2 * half * diagonal) }
@@ -264,30 +263,6 @@ function bounded(width, height) {
   const most = Math.min(1, LARGEST / Math.max(width, height));
   return { width: Math.max(1, Math.round(width * most)), height: Math.max(1, Math.round(height * most)) };
 }
-
-/**
- * How large a picture has to be taken, and what part of it is kept, so that its content fills a box one way.
- *
- * @param {NonNullable<Content>} content @param {Box} box
- * @returns {{ whole: { width: number, height: number }, part: Box }}
- */
-export function cutTo({ left, top, right, bottom }, box) {
-  const grow = Math.min(1 / (right - left), 1 / (bottom - top), LARGEST / Math.max(box.width, box.height));
-  const whole = { width: Math.round(box.width * grow), height: Math.round(box.height * grow) };
-  const x = Math.floor(left * whole.width);
-  const y = Math.floor(top * whole.height);
-  return {
-    whole,
-    part: {
-      x,
-      y,
-      width: Math.max(1, Math.ceil(right * whole.width) - x),
-      height: Math.max(1, Math.ceil(bottom * whole.height) - y),
-    },
-  };
-}
-
-/** @typedef {{ left: number, top: number, right: number, bottom: number } | null} Content */
 
 /** Width of a text in letters of a size. @param {number} letter @returns {(text: string) => number} */
 function measureText(letter) {

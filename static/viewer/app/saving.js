@@ -1,5 +1,8 @@
 import { mapColours } from "../colours/palettes.js";
-import { toCsv, toPng, toSvg } from "../charts/export.js";
+import { toCsv } from "../charts/export.js";
+import { textOf } from "../figure/compose.js";
+import { printed } from "../figure/histogram.js";
+import { rasterised } from "../figure/raster.js";
 import { quantityOf } from "../state/quantity.js";
 import { safeStem } from "../files/names.js";
 import { writeStatus } from "../files/png_text.js";
@@ -32,6 +35,9 @@ const safe = (id) => id.replace(/[^\w-]+/g, "-");
 /** As numpy and most programs read it. @param {number} value */
 const written = (value) =>
   Number.isFinite(value) ? String(value) : Number.isNaN(value) ? "nan" : value > 0 ? "inf" : "-inf";
+
+/** Points to an inch. */
+const POINTS = 72;
 
 /** Pixels of a picture's side. */
 export const LARGEST_SIDE = 8192;
@@ -67,11 +73,6 @@ export class Saving {
     const { scene, store } = this.#app;
     checkSize(options);
     return writeStatus(await scene.screenshot(options), JSON.stringify(store.status));
-  }
-
-  /** @param {{ width?: number, height?: number, transparent?: boolean }} options */
-  async savePicture(options) {
-    await this.#tried(async () => saveFile(await this.picture(options), `${this.stem}.png`));
   }
 
   saveStatus() {
@@ -125,17 +126,24 @@ export class Saving {
     if (!data) return null;
     if (format === "csv") return new Blob([toCsv(data, data.quantity)], { type: "text/csv" });
     const quantity = quantityOf(this.#app);
-    const { orientation, scale } = store.status.histogram;
-    const title = `${quantity.name}, ${facts.get("summary")?.name ?? ""}`;
-    const svg = toSvg(data, {
-      orientation,
-      scale,
-      title,
-      colour: mapColours(store.status.colour.map),
+    const { histogram, colour, figure } = store.status;
+    const scale = {
+      data,
+      colour: mapColours(colour.map),
       acceptable: quantity.acceptable,
-    });
-    if (format === "svg") return new Blob([svg], { type: "image/svg+xml" });
-    return writeStatus(await toPng(svg), JSON.stringify(store.status));
+      title: histogram.title || `${quantity.name}, ${facts.get("summary")?.name ?? ""}`,
+    };
+    const { svg, width, height } = printed(scale, histogram);
+    if (format === "svg") return new Blob([textOf(svg)], { type: "image/svg+xml" });
+    if (format === "pdf") return (await import("../figure/pdf.js")).toPdf(svg, width, height);
+    const [wide, high] = [width, height].map((side) => Math.round((side * figure.resolution) / POINTS));
+    for (const [name, side] of /** @type {const} */ ([
+      ["width", wide],
+      ["height", high],
+    ]))
+      svg.setAttribute(name, String(side));
+    const png = await rasterised({ width: wide, height: high, background: "#ffffff" }, [], textOf(svg));
+    return writeStatus(png, JSON.stringify(store.status));
   }
 
   /** The address of this page with mesh and view. */

@@ -11,6 +11,7 @@ import { tickText } from "./ticks.js";
  * @property {string} ink
  * @property {string} quiet
  * @property {string} line
+ * @property {string} rim around each bar, so that dark ones show on a dark page; "none" on a light one
  * @property {readonly [number | null, number | null] | null} acceptable
  */
 
@@ -29,7 +30,7 @@ export function marks(layout, data, look) {
 }
 
 /** @param {Layout} layout @param {HistogramData} data @param {Look} look */
-function bars({ bars, upright }, data, { colour }) {
+function bars({ bars, upright }, data, { colour, rim }) {
   return bars.map(({ box, bin }) => {
     const gap = (upright ? box.width : box.height) > 3 ? 0.5 : 0;
     const inner = upright ? { ...box, width: box.width - gap } : { ...box, height: box.height - gap };
@@ -40,7 +41,13 @@ function bars({ bars, upright }, data, { colour }) {
     );
     return s(
       "rect",
-      { ...rounded(inner), fill: colour(Number(data.map_position[bin])), class: "bar" },
+      {
+        ...rounded(inner),
+        fill: colour(Number(data.map_position[bin])),
+        stroke: rim,
+        "stroke-width": 0.5,
+        class: "bar",
+      },
       title,
     );
   });

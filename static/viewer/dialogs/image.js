@@ -227,7 +227,7 @@ function numbersIn(text) {
  */
 export function imageDialog(context, canvas) {
   const { app } = context;
-  const preview = h("img", { class: "figure-preview", alt: "The figure as it will be saved" });
+  const preview = h("img", { class: "figure-preview", alt: "The figure as it will be saved", hidden: true });
   const size = h("p", { class: "quiet figure-size", role: "status" });
   const many = h(
     "button",
@@ -308,6 +308,7 @@ export function imageDialog(context, canvas) {
       const address = URL.createObjectURL(blob);
       preview.onload = () => URL.revokeObjectURL(address);
       preview.src = address;
+      preview.hidden = false;
       setText(size, sizeInWords(context, width, height));
     } catch (error) {
       say(error);

@@ -10,6 +10,7 @@
  * @property {number} letters size in points
  * @property {number} margin in points
  * @property {number} panels how many pictures
+ * @property {boolean} lettered whether each has its letter below
  * @property {"none" | "bar" | "histogram" | "list"} legend
  * @property {"left" | "right"} legendPlace
  * @property {number} lines of the caption
@@ -30,12 +31,24 @@ const GAP = 0.8;
 const LEAST = 16;
 
 /** @param {Asked} asked @returns {Layout} @throws {Error} what stands around leaves no room for the pictures */
-export function layOut({ width, height, point, letters, margin, panels, legend, legendPlace, lines }) {
+export function layOut({
+  width,
+  height,
+  point,
+  letters,
+  margin,
+  panels,
+  lettered,
+  legend,
+  legendPlace,
+  lines,
+}) {
   const letter = letters * point;
   const rim = margin * point;
   const gap = GAP * letter;
   const beside = legend === "none" ? 0 : LEGENDS[legend] * letter;
-  const below = lines ? lines * LINE * letter + gap : 0;
+  const strip = lettered ? LINE * letter : 0;
+  const below = (lines ? lines * LINE * letter + gap : 0) + strip;
   const inner = {
     x: rim + (legendPlace === "left" && beside ? beside + gap : 0),
     y: rim,
@@ -56,7 +69,12 @@ export function layOut({ width, height, point, letters, margin, panels, legend, 
     width: beside,
     height: inner.height - 0.4 * letter,
   };
-  const caption = { x: rim, y: inner.y + inner.height + gap, width: width - 2 * rim, height: below - gap };
+  const caption = {
+    x: rim,
+    y: inner.y + inner.height + strip + gap,
+    width: width - 2 * rim,
+    height: below - strip - gap,
+  };
   return { pictures, legend: beside ? side : null, caption: lines ? caption : null };
 }
 

@@ -69,7 +69,13 @@ export function legend(scale, box, style, upright) {
       : (along, away) => [box.x + axis + 0.5 * label + along, box.y + box.height - before - away],
   };
   const title = scale.title
-    ? [words(scale.title, box.x, box.y + letter, { style, anchor: "start", weight: "bold" })]
+    ? [
+        words(shortened(scale.title, box.width, letter), box.x, box.y + letter, {
+          style,
+          anchor: "start",
+          weight: "bold",
+        }),
+      ]
     : [];
   return [
     ...title,
@@ -78,6 +84,12 @@ export function legend(scale, box, style, upright) {
     ...bracket(scale, [low, high], direction, style),
     ...(style.counts ? counts(scale, direction, style, spread - BAR * point) : []),
   ];
+}
+
+/** A text that is no wider than a width; an ellipsis says that there was more. @param {string} text @param {number} width @param {number} letter */
+function shortened(text, width, letter) {
+  const most = Math.max(1, Math.floor(width / widthOf("n", letter)));
+  return text.length <= most ? text : `${text.slice(0, most - 1).trimEnd()}…`;
 }
 
 /** Pixels that a text takes, about: of Helvetica's letters. @param {string} text @param {number} letter */
@@ -126,7 +138,10 @@ function strip({ data, colour }, direction, { point, ink }) {
 /** @param {number} low @param {number} high @param {Direction} direction @param {Style} style */
 function values(low, high, direction, style) {
   const letter = style.size * style.point;
-  const widest = Math.max(...[low, high, (low + high) / 3].map((value) => widthOf(tickText(value), letter)));
+  const widest = Math.max(
+    widthOf("0.25", letter),
+    ...[low, high].map((value) => widthOf(tickText(value), letter)),
+  );
   const gap = direction.upright ? 1.5 * letter : widest + letter;
   const before = (BRACKET + TICK) * style.point;
   return readableTicks(low, high, direction.length, gap).flatMap((value) => {
@@ -169,13 +184,18 @@ function counts({ data, colour }, direction, style, spread) {
     if (!n) return [];
     const [from, to] = [bin / all.length, (bin + 1) / all.length].map((part) => part * direction.length);
     const far = base + Math.max(LEAST, share(n)) * room;
-    return [rectangle(direction, [from, to], [base, far], { fill: colour(Number(data.map_position[bin])) })];
+    return [
+      rectangle(direction, [from, to], [base, far], {
+        fill: colour(Number(data.map_position[bin])),
+        class: "bar",
+      }),
+    ];
   });
   const letter = style.size * style.point;
   const widest = widthOf(highest.toLocaleString("en-GB"), letter);
   const ticks = log
     ? [0, ...powers(highest), highest]
-    : readableTicks(0, highest, room, direction.upright ? widest + letter : 1.5 * letter).filter(
+    : readableTicks(0, highest, room, direction.upright ? 1.6 * widest : 1.5 * letter).filter(
         Number.isInteger,
       );
   const axis = line(

@@ -1,6 +1,5 @@
 import { tickText } from "../charts/ticks.js";
-import { s } from "../widgets/dom.js";
-import { line, widthOf, words } from "./legend.js";
+import { line, words } from "./legend.js";
 
 /**
  * What stands over a picture of a figure: scale bar, axes, the panel's letter.
@@ -86,19 +85,9 @@ function thick(element, { point }) {
   return element;
 }
 
-/** "a)", on a pale ground, so that it is read over whatever is drawn. @param {Box} box @param {number} panel @param {Style} style @returns {SVGElement[]} */
+/** "a)", below its picture. @param {Box} box @param {number} panel @param {Style} style @returns {SVGElement[]} */
 export function panelLetter(box, panel, style) {
   const letter = style.size * style.point;
-  const text = `${"abcdef"[panel]})`;
-  return [
-    s("rect", {
-      x: box.x,
-      y: box.y,
-      width: widthOf(text, letter) + 0.6 * letter,
-      height: 1.5 * letter,
-      fill: "#ffffff",
-      "fill-opacity": 0.8,
-    }),
-    words(text, box.x + 0.3 * letter, box.y + 1.1 * letter, { style, anchor: "start" }),
-  ];
+  const place = /** @type {const} */ ([box.x + box.width / 2, box.y + box.height + 1.1 * letter]);
+  return [words(`${"abcdef"[panel]})`, ...place, { style, anchor: "middle" })];
 }

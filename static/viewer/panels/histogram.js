@@ -4,11 +4,16 @@ import { quantityOf } from "../state/quantity.js";
 import { decimal } from "../state/numbers.js";
 import { watch } from "../widgets/bind.js";
 import { h, s, setText } from "../widgets/dom.js";
+import { icon } from "../widgets/icons.js";
 import { brush } from "../charts/brush.js";
 import { layOut } from "../charts/histogram_layout.js";
 import { marks } from "../charts/histogram_svg.js";
 
 /** @typedef {import("../widgets/bind.js").Context} Context */
+
+/** Pixels above and below, and at both sides of, an enlarged histogram. */
+const LARGE_RIM = 72;
+const LARGE_PADDING = 32;
 
 /** Heights in pixels by orientation. */
 const HEIGHTS = { horizontal: 120, vertical: 280 };
@@ -23,13 +28,33 @@ export function histogramPanel(context) {
   const svg = s("svg", { class: "histogram", role: "group" });
   const caption = h("p", { class: "visually-hidden" });
   const note = h("p", { class: "quiet histogram-note", hidden: true });
-  const element = h("div", { class: "histogram-frame" }, svg, caption, note);
+  let large = false;
+  const enlarge = h(
+    "button",
+    {
+      type: "button",
+      class: "button button-icon plain histogram-enlarge",
+      "aria-label": "Enlarge the histogram",
+      title: "To the height of the picture, and back",
+      "aria-pressed": "false",
+      onclick: () => {
+        large = !large;
+        element.classList.toggle("histogram-large", large);
+        enlarge.setAttribute("aria-pressed", String(large));
+        draw();
+      },
+    },
+    icon("isolate"),
+  );
+  const element = h("div", { class: "histogram-frame" }, enlarge, svg, caption, note);
   const hand = brush(svg, {
     band: () => bandOf(context),
     write: (band, undo) => context.store.set(withBand(context, band), { undo }),
     done: () => context.store.seal(),
     quantity: () => quantityOf(context).id,
   });
+
+  const dark = matchMedia("(prefers-color-scheme: dark)");
 
   function draw() {
     const data = context.facts.get("histogram");
@@ -38,8 +63,8 @@ export function histogramPanel(context) {
     const quantity = quantityOf(context);
     const { orientation, scale } = context.store.status.histogram;
     const frame = {
-      width: element.clientWidth,
-      height: HEIGHTS[orientation],
+      width: element.clientWidth - (large ? LARGE_PADDING : 0),
+      height: large ? element.clientHeight - LARGE_RIM : HEIGHTS[orientation],
       orientation,
       scale,
     };
@@ -51,6 +76,7 @@ export function histogramPanel(context) {
       ink: token("--ink"),
       quiet: token("--quiet"),
       line: token("--edge"),
+      rim: dark.matches ? token("--quiet") : "none",
       acceptable: quantity.acceptable,
     };
     svg.setAttribute("viewBox", `0 0 ${frame.width} ${frame.height}`);
@@ -74,7 +100,7 @@ export function histogramPanel(context) {
     draw,
   );
   new ResizeObserver(draw).observe(element);
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);
+  dark.addEventListener("change", draw);
   return element;
 }
 

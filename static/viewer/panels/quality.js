@@ -1,5 +1,5 @@
 import { optionsOf, rangeOf } from "../state/choices.js";
-import { count, decimal } from "../state/numbers.js";
+import { clamp, count, decimal } from "../state/numbers.js";
 import { watch } from "../widgets/bind.js";
 import { h } from "../widgets/dom.js";
 import { histogramPanel } from "./histogram.js";
@@ -9,7 +9,7 @@ import { chooseQuantity, quantityOf, quantityOptions } from "../state/quantity.j
 /** @typedef {import("../widgets/bind.js").Context} Context @typedef {import("../state/answers.js").Statistics} Statistics */
 
 /** @type {readonly import("../widgets/bind.js").ChartFormat[]} */
-const FORMATS = ["png", "svg", "csv"];
+const FORMATS = ["png", "svg", "pdf", "csv"];
 
 /** @type {import("../widgets/section.js").Section} */
 export const quality = {
@@ -60,6 +60,41 @@ export const quality = {
           box: { range: rangeOf("histogram.bins", 1) },
         },
         {
+          kind: "text",
+          id: "histogram-title",
+          label: "Title",
+          hint: "metric and mesh",
+          path: "histogram.title",
+          read: ({ store }) => store.status.histogram.title,
+          write: (title) => ({ histogram: { title } }),
+        },
+        {
+          kind: "numbers",
+          id: "histogram-size",
+          label: "Size, mm",
+          hint: "Of the saved one",
+          status: ["histogram"],
+          digits: 1,
+          items: [millimetres("width"), millimetres("height")],
+        },
+        {
+          kind: "slider",
+          id: "histogram-letters",
+          label: "Letters",
+          hint: "In points, of the saved one",
+          path: "histogram.letters",
+          range: [6, 24, 1],
+          digits: 0,
+          box: { range: rangeOf("histogram.letters", 1) },
+        },
+        {
+          kind: "choice",
+          id: "histogram-font",
+          label: "Font",
+          path: "histogram.font",
+          options: optionsOf("histogram.font"),
+        },
+        {
           kind: "actions",
           label: "Save as",
           facts: ["histogram"],
@@ -83,6 +118,18 @@ export const quality = {
     },
   ],
 };
+
+/** @param {"width" | "height"} side @returns {import("../widgets/bind.js").NumberField} */
+function millimetres(side) {
+  return {
+    name: side,
+    read: ({ store }) => store.status.histogram[side],
+    write: (value, { tables }) => {
+      const [least, most] = tables.limits[`histogram.${side}`];
+      return value === null ? null : { histogram: { [side]: clamp(value, least, most) } };
+    },
+  };
+}
 
 /** @param {Context} context @returns {Statistics | undefined} */
 function statisticsOf(context) {

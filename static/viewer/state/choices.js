@@ -38,6 +38,7 @@ const NAMES = {
   },
   "histogram.orientation": { horizontal: "upright", vertical: "lying" },
   "histogram.scale": { linear: "linear", log: "logarithmic" },
+  "histogram.font": { sans: "sans serif", serif: "serif" },
   "figure.unit": { px: "pixels", mm: "millimetres" },
   "figure.legend": { none: "none", bar: "colour bar", histogram: "histogram" },
   "figure.legend_place": { right: "right", left: "left" },

@@ -27,14 +27,14 @@
  * @property {(format: ChartFormat) => unknown} saveHistogram
  * @property {{ reset: () => void, fitShown: () => void, flyToShown: () => Promise<void> }} views
  * @property {{ dismiss: (id: number) => void }} messages
- * @property {Pick<import("../app/figures.js").Figures, "file" | "lastSize">} figures
+ * @property {{ file: (format: "png" | "svg" | "pdf", canvas: HTMLCanvasElement) => Promise<Blob>, lastSize: Size }} figures
  * @property {{ text: () => string, apply: (document: unknown) => Promise<import("../state/answers.js").Rejection[]> }} documents
  * @property {{ stem: string, saveStatus: () => void, link: () => Promise<string> }} saving
  * @property {(files: readonly File[]) => Promise<void>} offerBatch
  * @property {{ run: (entries: import("../files/zip.js").Entry[], options: Size & Run) => Promise<{ zip: Blob, failed: { name: string, problem: string }[] }> }} batch
  * @property {import("../scene/scene_like.js").SceneLike} scene
  *
- * @typedef {"png" | "svg" | "csv"} ChartFormat
+ * @typedef {"png" | "svg" | "pdf" | "csv"} ChartFormat
  * @typedef {{ width: number, height: number }} Size  in pixels
  * @typedef {{ signal: AbortSignal, report: (done: number, of: number, name: string, failed: number) => void }} Run
  *

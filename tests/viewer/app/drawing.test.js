@@ -55,6 +55,7 @@ function parts() {
     facts,
     messages,
     tables: /** @type {any} */ ({ core_paths: CORE_PATHS }),
+    canvas: /** @type {any} */ (null),
     root: "",
   });
   drawing.begin();
