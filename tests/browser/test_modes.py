@@ -132,6 +132,30 @@ def test_V2_kinds_have_their_colours_under_known_pixels(viewer: Page, site: str,
         assert np.abs(np.subtract(picture.getpixel(at), KINDS[kind])).max() <= 3, kind
 
 
+def test_V3_values_beyond_the_range_and_those_that_are_none_have_their_colours(
+    viewer: Page, site: str, shelf: Path
+) -> None:
+    mesh = grid(4, 1, 1)
+    mesh.cell_data["heat"] = np.array([0, 1, 2, np.nan])
+    hexalab.write(mesh, shelf / "beyond.vtu")
+    viewer.evaluate("url => window.hexalab.open(url)", f"{site}/bench/beyond.vtu")
+    colours = {"above": (0, 255, 0), "below": (255, 0, 255), "missing": (10, 20, 30)}
+    colour = {
+        "by": "attribute",
+        "attribute": "cell:heat",
+        "map": "red_blue",
+        "range": [0.5, 1.5],
+        "beyond": True,
+    }
+    colour |= {name: "#{:02x}{:02x}{:02x}".format(*value) for name, value in colours.items()}
+    status = {**FRONT, "colour": colour}
+    picture = guards.take(viewer, status)
+    expected = [colours["below"], (255, 255, 255), colours["above"], colours["missing"]]
+    for cell, value in enumerate(expected):
+        at = seen_from_the_front(mesh, (cell + 0.5, 0.5, 1))
+        assert np.abs(np.subtract(picture.getpixel(at), value)).max() <= 3, cell
+
+
 @pytest.fixture(scope="module")
 def guarded(chromium: Browser, site: str, shelf: Path) -> Iterator[Page]:
     """The viewer with the mesh of the pictures."""

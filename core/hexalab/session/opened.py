@@ -30,6 +30,9 @@ DESCRIBED = (*STRUCTURE, "shapes", "parts", "findings")
 CLEARANCE = 1e-9
 """Part of a plane's way by which it stays before a cell that it is to reach."""
 
+BEYOND = 0.5
+"""Places on a colour map of values beyond its limits: so far at the most."""
+
 MOST_PARTS = 100
 """So many parts are told one by one."""
 
@@ -207,7 +210,7 @@ class Opened:
         Returns
         -------
         (n,) float64
-            NaN where a value is not finite.
+            NaN where a value is not finite; below 0 and above 1 where it is beyond limits that were given.
         """
         metric = METRICS.get(quantity)
         reach = self.range_of(quantity)
@@ -222,7 +225,8 @@ class Opened:
                 share = (values / 2 - low / 2) / (high / 2 - low / 2)
             elif limits:
                 share[values > low] = 1
-            normal = np.clip(share, 0, 1)
+            reach_beyond = BEYOND if limits else 0.0
+            normal = np.clip(share, -reach_beyond, 1 + reach_beyond)
         normal = np.where(np.isfinite(values), normal, np.nan)
         turned = metric is not None and metric.better == "high"
         return np.asarray(1 - normal if turned else normal, dtype=np.float64)

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..quality import METRICS
 from ..surface import LINED, extract_silhouette, extract_surface
 from .opened import Opened
 
@@ -98,6 +99,7 @@ class Picture:
                 "label": label,
                 "low": None,
                 "high": None,
+                "high_first": False,
             }
         positions = opened.map_positions(quantity, opened.values(quantity), colour["range"])
         low, high = colour["range"] or opened.range_of(quantity) or (None, None)
@@ -107,6 +109,7 @@ class Picture:
             "label": opened.label_of(quantity),
             "low": low,
             "high": high,
+            "high_first": quantity in METRICS and METRICS[quantity].better == "high",
         }
 
     def _filter(self, filters: Settings) -> None:

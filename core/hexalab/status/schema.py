@@ -155,6 +155,22 @@ COLOUR_BY = section(
     metric=core({"type": "string", "minLength": 1, "default": "scaled_jacobian"}),
     attribute=core({"type": "string", "default": "", "description": "cell:NAME or point:NAME"}),
     map=choice("parula", "viridis", "jet", "red_blue"),
+    reversed={"type": "boolean", "default": False, "description": "Whether the map runs the other way"},
+    steps={
+        "type": "integer",
+        "minimum": 0,
+        "maximum": 32,
+        "default": 0,
+        "description": "Colours of a map in steps; 0 and 1: it runs smoothly",
+    },
+    missing={**COLOUR, "default": "#8c8c8c", "description": "Cells without a finite value"},
+    beyond={
+        "type": "boolean",
+        "default": False,
+        "description": "Whether values above and below a range that was set have colours of their own",
+    },
+    above={**COLOUR, "default": "#d6409f"},
+    below={**COLOUR, "default": "#3c3c3c"},
     range=core(
         {
             "type": ["array", "null"],
@@ -251,6 +267,7 @@ SCHEMA: Schema = {
                 }
             ),
             boundary={"type": "boolean", "default": False, "description": "Edges of the boundary too"},
+            palette=choice("standard", "colour_blind", description="Of valences; the second differs in width too"),
         ),
         lighting=section(
             "Light.",

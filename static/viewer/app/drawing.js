@@ -121,7 +121,8 @@ export class Drawing {
     if (answer.surface) scene.setSurface(answer.surface, same);
     if (answer.silhouette) scene.setSilhouette(answer.silhouette);
     if (answer.irregular) scene.setIrregular(answer.irregular);
-    if (answer.colour !== undefined) scene.setCellColours(answer.colour?.map_position ?? null);
+    if (answer.colour !== undefined)
+      scene.setCellColours(answer.colour?.map_position ?? null, answer.colour?.high_first ?? false);
     const upload = performance.now() - began;
     this.#facts.set({
       shown: { cells: answer.shown_cells, faces: answer.shown_faces },

@@ -213,7 +213,7 @@ export class Figures {
     const data = await client.call("histogram", [quantity.id, bins]);
     return {
       data,
-      colour: mapColours(colour.map),
+      colour: mapColours(colour),
       acceptable: quantity.acceptable,
       title: figure.legend_title || quantity.name || facts.get("colour")?.label || "",
     };

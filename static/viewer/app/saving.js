@@ -129,7 +129,7 @@ export class Saving {
     const { histogram, colour, figure } = store.status;
     const scale = {
       data,
-      colour: mapColours(colour.map),
+      colour: mapColours(colour),
       acceptable: quantity.acceptable,
       title: histogram.title || `${quantity.name}, ${facts.get("summary")?.name ?? ""}`,
     };

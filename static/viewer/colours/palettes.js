@@ -90,11 +90,33 @@ export function paletteColour(map, position) {
   return [a[0] + f * (b[0] - a[0]), a[1] + f * (b[1] - a[1]), a[2] + f * (b[2] - a[2])];
 }
 
-/** Colours of a map for style sheets and SVG; grey where there is no value. @param {string} map @returns {(position: number) => string} */
-export function mapColours(map) {
+/**
+ * Where on the map a position is read: turned round, and on the middle of a step, if so wished.
+ *
+ * @param {number} position 0 to 1 @param {Reading} reading
+ */
+function placed(position, { reversed = false, steps = 0 }) {
+  const stepped = steps > 1 ? Math.min(steps - 1, Math.floor(position * steps)) / (steps - 1) : position;
+  return reversed ? 1 - stepped : stepped;
+}
+
+/**
+ * How a map is read: as a status has it.
+ *
+ * @typedef {{ map?: string, reversed?: boolean, steps?: number, missing?: string, beyond?: boolean, above?: string, below?: string }} Reading
+ */
+
+/**
+ * Colours of a map for style sheets and SVG.
+ *
+ * @param {Reading} reading
+ * @returns {(position: number) => string}
+ */
+export function mapColours(reading) {
   return (position) => {
-    if (!Number.isFinite(position)) return NOT_FINITE;
-    const bytes = paletteColour(map, position).map((part) => Math.round(part * 255));
+    if (!Number.isFinite(position)) return reading.missing ?? NOT_FINITE;
+    const place = placed(Math.min(1, Math.max(0, position)), reading);
+    const bytes = paletteColour(reading.map ?? "parula", place).map((part) => Math.round(part * 255));
     return `#${bytes.map((byte) => byte.toString(16).padStart(2, "0")).join("")}`;
   };
 }
@@ -103,12 +125,14 @@ export function mapColours(map) {
  * The 256 entries of a map as bytes, four to an entry.
  *
  * @param {string} map
+ * @param {Reading} [reading]
  * @returns {Uint8Array}
  */
-export function paletteBytes(map) {
+export function paletteBytes(map, reading = {}) {
   const bytes = new Uint8Array(256 * 4);
   for (let k = 0; k < 256; k++) {
-    const colour = map in CATEGORIES ? componentsOf(categoryColour(map, k)) : paletteColour(map, k / 255);
+    const colour =
+      map in CATEGORIES ? componentsOf(categoryColour(map, k)) : paletteColour(map, placed(k / 255, reading));
     for (let c = 0; c < 3; c++) bytes[4 * k + c] = Math.round(255 * colour[c]);
     bytes[4 * k + 3] = 255;
   }

@@ -1,5 +1,5 @@
 import { categoryColour } from "../colours/palettes.js";
-import { optionsOf } from "../state/choices.js";
+import { optionsOf, rangeOf } from "../state/choices.js";
 import { count, typed } from "../state/numbers.js";
 import { watch } from "../widgets/bind.js";
 import { h } from "../widgets/dom.js";
@@ -104,6 +104,41 @@ export const drawing = {
           status: ["colour.by", "colour.range"],
           facts: ["colour"],
           items: [rangeField(0, "low"), rangeField(1, "high")],
+        },
+        { kind: "toggle", id: "colour-reversed", label: "Reversed", path: "colour.reversed" },
+        {
+          kind: "slider",
+          id: "colour-steps",
+          label: "Steps",
+          hint: "Colours of the map; 0: it runs smoothly",
+          path: "colour.steps",
+          range: [0, 16, 1],
+          digits: 0,
+          box: { range: rangeOf("colour.steps", 1) },
+        },
+        {
+          kind: "colours",
+          label: "Not finite",
+          items: [{ path: "colour.missing", name: "Cells without a finite value" }],
+        },
+        {
+          kind: "toggle",
+          id: "colour-beyond",
+          label: "Mark beyond",
+          hint: "Values above and below the range that was set have colours of their own",
+          path: "colour.beyond",
+          status: ["colour.range"],
+          why: ({ store }) => (store.status.colour.range ? "" : "no range was set"),
+        },
+        {
+          kind: "colours",
+          label: "",
+          status: ["colour.beyond"],
+          items: [
+            { path: "colour.above", name: "Above" },
+            { path: "colour.below", name: "Below" },
+          ],
+          hidden: ({ store }) => !store.status.colour.beyond,
         },
       ],
     },

@@ -72,7 +72,7 @@ export function histogramPanel(context) {
     const style = getComputedStyle(element);
     const token = (/** @type {string} */ name) => style.getPropertyValue(name).trim();
     const look = {
-      colour: mapColours(context.store.status.colour.map),
+      colour: mapColours(context.store.status.colour),
       ink: token("--ink"),
       quiet: token("--quiet"),
       line: token("--edge"),

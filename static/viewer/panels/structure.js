@@ -1,4 +1,5 @@
-import { IRREGULAR_STEPS, rangeOf } from "../state/choices.js";
+import { VALENCE_STYLES } from "../colours/valence.js";
+import { IRREGULAR_STEPS, optionsOf, rangeOf } from "../state/choices.js";
 import { count } from "../state/numbers.js";
 import { watch } from "../widgets/bind.js";
 import { h } from "../widgets/dom.js";
@@ -6,7 +7,7 @@ import { meshFacts } from "./mesh_facts.js";
 
 /** @typedef {import("../widgets/bind.js").Context} Context */
 
-/** Rows of the legend: valence from, to, its words. Their colours stand in the style sheets as `.valence-…`. */
+/** Rows of the legend: valence from, to, its words. They stand in the order of `VALENCE_STYLES`. */
 const CLASSES = [
   { name: "low", words: "2 and fewer", test: (/** @type {number} */ n) => n <= 2 },
   { name: "three", words: "3", test: (/** @type {number} */ n) => n === 3 },
@@ -73,10 +74,27 @@ export const structure = {
       hint: "Boundary edges with other than two cells, too",
       path: "irregular.boundary",
     },
+    {
+      kind: "choice",
+      id: "irregular-palette",
+      label: "Colours",
+      hint: "Of the numbers of cells around an edge",
+      path: "irregular.palette",
+      options: optionsOf("irregular.palette"),
+    },
     { kind: "custom", render: legend },
     { kind: "custom", render: meshFacts },
   ],
 };
+
+/** A piece of wire, in colour and breadth. @param {Context} context @param {number} row of the styles */
+function mark({ store }, row) {
+  const { wire, width } = VALENCE_STYLES[store.status.irregular.palette][row];
+  const element = h("span", { class: "valence", "aria-hidden": "true" });
+  element.style.background = wire;
+  element.style.height = `${2.5 * width}px`;
+  return element;
+}
 
 /** Counts by valence, each with the colour of its wires. @param {Context} context */
 function legend(context) {
@@ -98,7 +116,7 @@ function legend(context) {
     ),
     body,
   );
-  watch(context, { facts: ["description", "irregular"] }, () => {
+  watch(context, { facts: ["description", "irregular"], status: ["irregular.palette"] }, () => {
     const counts = countsOf(context);
     table.hidden = !counts;
     if (!counts) return;
@@ -118,7 +136,10 @@ function legend(context) {
             h(
               "th",
               { scope: "row" },
-              h("span", { class: `valence valence-${name}`, "aria-hidden": "true" }),
+              mark(
+                context,
+                CLASSES.findIndex((one) => one.name === name),
+              ),
               words,
             ),
             h("td", {}, count(inside)),

@@ -174,9 +174,9 @@ export class Scene {
     this.#loop.invalidate();
   }
 
-  /** @param {Float32Array | null} positions in the colour map, one per cell */
-  setCellColours(positions) {
-    this.#layers.setCellColours(positions);
+  /** @param {Float32Array | null} positions in the colour map, one per cell @param {boolean} [highFirst] whether its first colour is that of high values */
+  setCellColours(positions, highFirst = false) {
+    this.#layers.setCellColours(positions, highFirst);
     this.#loop.invalidate();
   }
 

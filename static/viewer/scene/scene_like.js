@@ -44,7 +44,8 @@
  * @property {(surface: import("../geometry/records.js").Surface | null, same?: boolean) => void} setSurface
  * @property {(silhouette: import("../geometry/records.js").Silhouette | null) => void} setSilhouette
  * @property {(irregular: import("../geometry/records.js").Irregular | null) => void} setIrregular
- * @property {(positions: Float32Array | null) => void} setCellColours in the colour map, one per cell
+ * @property {(positions: Float32Array | null, highFirst?: boolean) => void} setCellColours in the colour map, one per cell; whether its first
+ *   colour is that of high values
  * @property {(status: import("./types.js").SceneStatus) => void} setStatus
  * @property {(width: number, height: number, pixelRatio?: number) => void} resize
  * @property {(x: number, y: number) => FaceHit | null} pick

@@ -90,6 +90,7 @@
  * @property {string} label
  * @property {number | null} low value at the end of the map
  * @property {number | null} high
+ * @property {boolean} high_first whether the map's first colour is that of high values
  *
  * @typedef {object} Preview  summary and first picture of a mesh of the catalogue, packed when the site is built
  * @property {BriefSummary} summary

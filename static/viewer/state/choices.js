@@ -30,6 +30,7 @@ const NAMES = {
     part: "Part",
   },
   "colour.map": { parula: "Parula", viridis: "Viridis", jet: "Jet", red_blue: "Red-Blue" },
+  "irregular.palette": { standard: "standard", colour_blind: "for colour-blind eyes" },
   "lighting.mode": {
     object_space_ao: "AO, best",
     screen_space_ao: "AO, fast",

@@ -14,8 +14,9 @@ VALUES = np.array([0.0, 0.25, 0.5, 0.75, 1.0, -3.0, 9.0, np.nan])
 @pytest.mark.parametrize(
     ("metric", "expected"),
     [
-        ("scaled_jacobian", [1, 1, 0.5, 0, 0, 1, 0, np.nan]),
-        ("skew", [0, 0, 0.5, 1, 1, 0, 1, np.nan]),
+        # what is beyond the range lies beyond the map, by half of it at the most
+        ("scaled_jacobian", [1.5, 1, 0.5, 0, -0.5, 1.5, -0.5, np.nan]),
+        ("skew", [-0.5, 0, 0.5, 1, 1.5, -0.5, 1.5, np.nan]),
     ],
 )
 @pytest.mark.parametrize("limits", [(0.25, 0.75), (0.75, 0.25)])

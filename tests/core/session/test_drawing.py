@@ -141,7 +141,8 @@ def test_P6_recolouring_sends_colours_only(session: Session) -> None:
     assert np.allclose(update["colour"]["map_position"], np.arange(6) / 5)
     assert (update["colour"]["low"], update["colour"]["high"]) == (0, 5)
     update = session.update({"colour": {"range": [1, 3]}})
-    assert np.allclose(update["colour"]["map_position"], [0, 0, 0.5, 1, 1, 1])
+    assert np.allclose(update["colour"]["map_position"], [-0.5, 0, 0.5, 1, 1.5, 1.5])
+    assert update["colour"]["high_first"] is False
     assert (session.update({"colour": {"by": "kind"}})["colour"]["map_position"] == 0).all()
     assert session.update({"colour": {"by": "sides"}})["colour"] is None
     assert plain(update)

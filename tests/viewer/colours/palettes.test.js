@@ -1,7 +1,12 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { PALETTES, paletteBytes, paletteColour } from "../../../static/viewer/colours/palettes.js";
+import {
+  mapColours,
+  PALETTES,
+  paletteBytes,
+  paletteColour,
+} from "../../../static/viewer/colours/palettes.js";
 
 const hex = (/** @type {string} */ map, /** @type {number} */ t) =>
   `#${paletteColour(map, t)
@@ -46,4 +51,24 @@ test("Q5: no map jumps between neighbouring entries; places outside are those at
     assert.deepEqual(paletteColour(map, -1), paletteColour(map, 0));
     assert.deepEqual(paletteColour(map, 2), paletteColour(map, 1));
   }
+});
+
+test("V3: a map can be turned round, run in steps, and have a colour for what has no value", () => {
+  const plain = mapColours({ map: "red_blue" });
+  const turned = mapColours({ map: "red_blue", reversed: true });
+  assert.equal(plain(0), "#0000ff");
+  assert.equal(turned(0), "#ff0000");
+  assert.equal(turned(1), plain(0));
+  const stepped = mapColours({ map: "red_blue", steps: 3 });
+  assert.deepEqual([0, 0.3, 0.34, 0.6, 0.7, 1].map(stepped), [
+    "#0000ff", "#0000ff", "#ffffff", "#ffffff", "#ff0000", "#ff0000",
+  ]); // prettier-ignore
+  assert.equal(mapColours({ map: "jet", missing: "#123456" })(NaN), "#123456");
+  const bytes = paletteBytes("red_blue", { steps: 2, reversed: true });
+  assert.deepEqual([...bytes.subarray(0, 3)], [255, 0, 0]);
+  assert.deepEqual([...bytes.subarray(4 * 255, 4 * 255 + 3)], [0, 0, 255]);
+  assert.equal(
+    new Set(Array.from({ length: 256 }, (_, k) => bytes.subarray(4 * k, 4 * k + 3).join())).size,
+    2,
+  );
 });

@@ -2,6 +2,9 @@ import { DataTexture, FloatType, NearestFilter, RedFormat, RGBAFormat, UnsignedB
 import { paletteBytes } from "../../colours/palettes.js";
 import { CELL_COLUMNS } from "../../geometry/texel.js";
 
+/** Place on the map of what has none: below all that are beyond its ends. */
+const MISSING = -9;
+
 /**
  * Colour of every cell as a position in a colour map, in a texture looked up by cell number: another metric is one upload
  * here and no new geometry, another map is 1 KB.
@@ -11,10 +14,10 @@ export class CellColours {
   values = oneTexel();
   /** @type {DataTexture} */
   palette;
-  #map = "parula";
+  #map = "";
 
   constructor() {
-    this.palette = new DataTexture(paletteBytes(this.#map), 256, 1, RGBAFormat, UnsignedByteType);
+    this.palette = new DataTexture(paletteBytes("parula"), 256, 1, RGBAFormat, UnsignedByteType);
     this.palette.minFilter = this.palette.magFilter = NearestFilter;
     this.palette.needsUpdate = true;
   }
@@ -28,17 +31,19 @@ export class CellColours {
     }
     const rows = Math.ceil(positions.length / CELL_COLUMNS);
     const whole = new Float32Array(rows * CELL_COLUMNS);
-    // A shader may assume that no NaN exists; a negative position says the same and survives.
-    for (let k = 0; k < positions.length; k++) whole[k] = Number.isFinite(positions[k]) ? positions[k] : -1;
+    // A shader may assume that no NaN exists; a position far below says the same and survives.
+    for (let k = 0; k < positions.length; k++)
+      whole[k] = Number.isFinite(positions[k]) ? positions[k] : MISSING;
     this.values = new DataTexture(whole, CELL_COLUMNS, rows, RedFormat, FloatType);
     this.values.needsUpdate = true;
   }
 
-  /** @param {string} map a row of the palettes, or what cells are categorised by */
-  setMap(map) {
-    if (map === this.#map) return;
-    this.#map = map;
-    /** @type {Uint8Array} */ (this.palette.image.data).set(paletteBytes(map));
+  /** @param {string} map a row of the palettes, or what cells are categorised by @param {import("../../colours/palettes.js").Reading} [reading] */
+  setMap(map, reading = {}) {
+    const key = JSON.stringify([map, reading.reversed, reading.steps]);
+    if (key === this.#map) return;
+    this.#map = key;
+    /** @type {Uint8Array} */ (this.palette.image.data).set(paletteBytes(map, reading));
     this.palette.needsUpdate = true;
   }
 
@@ -50,7 +55,7 @@ export class CellColours {
 
 /** @returns {DataTexture} */
 function oneTexel() {
-  const texture = new DataTexture(new Float32Array([-1]), 1, 1, RedFormat, FloatType);
+  const texture = new DataTexture(new Float32Array([MISSING]), 1, 1, RedFormat, FloatType);
   texture.needsUpdate = true;
   return texture;
 }

@@ -18,7 +18,7 @@ const STEPS = [
   { wires: [0, 0], barbs: [0, 0], paper: [1, 0.3] },
 ];
 
-const INK = VALENCE_STYLES.map(() => ({ colour: "#000000", ink: 1 }));
+const INK = [{ colour: "#000000", ink: 1 }];
 
 /** Edges up to which wires are as broad as they can be. */
 const FEW = 400;
@@ -59,13 +59,15 @@ const NOTHING = {
  */
 export class IrregularLayer {
   group = new Group();
-  #wires = pair((seeThrough) => new LinesLayer(styles("wire"), { seeThrough }));
-  #barbs = pair((seeThrough) => new LinesLayer(styles("barb"), { seeThrough }));
+  #wires = pair((seeThrough) => new LinesLayer(styles("wire", "standard"), { seeThrough }));
+  #barbs = pair((seeThrough) => new LinesLayer(styles("barb", "standard"), { seeThrough }));
   #folds = pair((seeThrough) => new LinesLayer(INK, { seeThrough }));
   #paper = pair((seeThrough) => new PaperLayer({ seeThrough }));
   /** Of all edges. @type {import("../../geometry/box.js").Box | null} */
   box = null;
   #faces = 0;
+  /** @type {Palette} */
+  #palette = "standard";
   #mode = 1;
   #boundary = false;
   /** @type {import("../../geometry/records.js").Irregular | null} */
@@ -113,6 +115,16 @@ export class IrregularLayer {
     for (const lines of this.#barbs) lines.set(thorns.ends, thorns.styles);
     for (const layer of this.#paper) layer.set(flaps.ends, flaps.styles);
     this.#show();
+  }
+
+  /** @param {Palette} palette @typedef {keyof typeof VALENCE_STYLES} Palette */
+  setPalette(palette) {
+    if (palette === this.#palette) return;
+    this.#palette = palette;
+    for (const wire of this.#wires) wire.styles = styles("wire", palette);
+    for (const barb of this.#barbs) barb.styles = styles("barb", palette);
+    for (const paper of this.#paper) paper.palette = palette;
+    this.set(this.#irregular);
   }
 
   /** @param {number} mode 0 to 6 @param {boolean} boundary draw irregular edges of the boundary too */
@@ -166,9 +178,13 @@ function pair(make) {
   return [make(false), make(true)];
 }
 
-/** @param {"wire" | "barb"} part */
-function styles(part) {
-  return VALENCE_STYLES.map((row) => ({ colour: row[part], ink: 1 }));
+/** @param {"wire" | "barb"} part @param {Palette} palette */
+function styles(part, palette) {
+  return VALENCE_STYLES[palette].map((row) => ({
+    colour: row[part],
+    ink: 1,
+    width: part === "wire" ? row.width : 1,
+  }));
 }
 
 /** @param {LinesLayer | PaperLayer} layer @param {number} opacity */

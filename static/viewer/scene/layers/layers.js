@@ -74,8 +74,9 @@ export class Layers {
     this.#painter.renewBackdrop();
   }
 
-  /** @param {Float32Array | null} positions */
-  setCellColours(positions) {
+  /** @param {Float32Array | null} positions @param {boolean} highFirst whether the map's first colour is that of high values */
+  setCellColours(positions, highFirst) {
+    this.surface.highFirst = highFirst;
     this.colours.setPositions(positions);
     this.surface.uniforms.cellValues.value = this.colours.values;
   }
@@ -100,7 +101,7 @@ export class Layers {
     if (colour) {
       this.surface.setColour(colour);
       if (colour.by && colour.by in CATEGORIES) this.colours.setMap(colour.by);
-      else if (colour.map) this.colours.setMap(colour.map);
+      else if (colour.map) this.colours.setMap(colour.map, colour);
     }
     if (separation?.line_opacity !== undefined) this.edges.opacity = separation.line_opacity;
     if (separation?.line_width !== undefined) this.edges.width = separation.line_width;
@@ -109,7 +110,10 @@ export class Layers {
       this.silhouette.strength = silhouette;
       this.#painter.renewBackdrop();
     }
-    if (irregular) this.irregular.setMode(irregular.mode ?? 1, irregular.boundary ?? false);
+    if (irregular) {
+      this.irregular.setPalette(irregular.palette ?? "standard");
+      this.irregular.setMode(irregular.mode ?? 1, irregular.boundary ?? false);
+    }
     return true;
   }
 

@@ -29,11 +29,11 @@ export class LinesLayer {
   #count = 0;
 
   /**
-   * @param {{ colour: string, ink: number }[]} styles
+   * @param {Style[]} styles
+   * @typedef {{ colour: string, ink: number, width?: number }} Style  width: times that of the layer
    * @param {{ seeThrough?: boolean, fade?: boolean }} [options] fade: thin out where segments are short on the screen
    */
   constructor(styles, { seeThrough = false, fade = false } = {}) {
-    const rows = Array.from({ length: 8 }, (_, k) => styles[Math.min(k, styles.length - 1)]);
     this.#material = new RawShaderMaterial({
       glslVersion: GLSL3,
       vertexShader: LINES_VERTEX,
@@ -46,7 +46,8 @@ export class LinesLayer {
         pull: { value: 0 },
         fade: { value: fade ? 1 : 0 },
         opacity: { value: 1 },
-        styles: { value: rows.map(({ colour, ink }) => new Vector4(...componentsOf(colour), ink)) },
+        styles: { value: /** @type {Vector4[]} */ ([]) },
+        widths: { value: new Float32Array(8) },
       },
       transparent: true,
       depthTest: !seeThrough,
@@ -54,9 +55,18 @@ export class LinesLayer {
       side: DoubleSide,
       forceSinglePass: true,
     });
+    this.styles = styles;
     this.mesh = new Mesh(new BufferGeometry(), this.#material);
     this.mesh.frustumCulled = false;
     this.mesh.visible = false;
+  }
+
+  /** @param {readonly Style[]} styles */
+  set styles(styles) {
+    const rows = Array.from({ length: 8 }, (_, k) => styles[Math.min(k, styles.length - 1)]);
+    const { uniforms } = this.#material;
+    uniforms.styles.value = rows.map(({ colour, ink }) => new Vector4(...componentsOf(colour), ink));
+    uniforms.widths.value = Float32Array.from(rows, ({ width = 1 }) => width);
   }
 
   get count() {

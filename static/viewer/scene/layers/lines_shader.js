@@ -28,9 +28,11 @@ uniform float width;
 uniform float pull;
 uniform float fade;
 uniform vec4 styles[8];
+uniform float widths[8];
 
 out float vAcross;
 flat out vec4 vStyle;
+flat out float vWidth;
 
 vec4 towardsEye(vec3 place) {
   vec4 view = modelViewMatrix * vec4(place, 1.0);
@@ -63,11 +65,13 @@ void main() {
   vec2 along = (pb.xy - pa.xy) * 0.5 * viewport;
   float length = length(along);
   vec2 across = length > 1e-4 ? vec2(-along.y, along.x) / length : vec2(0.0, 1.0);
-  float reach = 0.5 * width + 0.5;
+  uint row = texelFetch(rows, at, 0).r;
+  vWidth = max(1.0, width * widths[row]);
+  float reach = 0.5 * vWidth + 0.5;
   vec3 place = corner.x < 0.5 ? pa : pb;
   place.xy += across * corner.y * reach * 2.0 / viewport;
   vAcross = corner.y * reach;
-  vStyle = styles[texelFetch(rows, at, 0).r];
+  vStyle = styles[row];
   // As fading() has it, below 1 by the length of each.
   vStyle.a *= mix(1.0, clamp((length + 1.0) / 7.0, 0.2, 1.0), fade);
   gl_Position = vec4(place, 1.0);
@@ -79,13 +83,13 @@ precision highp float;
 
 in float vAcross;
 flat in vec4 vStyle;
+flat in float vWidth;
 out vec4 pixel;
 
-uniform float width;
 uniform float opacity;
 
 void main() {
-  float cover = clamp(0.5 * width + 0.5 - abs(vAcross), 0.0, 1.0);
+  float cover = clamp(0.5 * vWidth + 0.5 - abs(vAcross), 0.0, 1.0);
   pixel = vec4(vStyle.rgb, vStyle.a * opacity * cover);
 }
 `;

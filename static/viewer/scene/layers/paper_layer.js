@@ -30,6 +30,8 @@ void main() { pixel = vec4(vColour, opacity); }
 export class PaperLayer {
   mesh;
   count = 0;
+  /** @type {keyof typeof VALENCE_STYLES} */
+  palette = "standard";
   #material;
 
   /** @param {{ seeThrough: boolean }} options */
@@ -60,7 +62,7 @@ export class PaperLayer {
     old.dispose();
     this.count = styles.length;
     const colours = new Uint8Array(12 * this.count);
-    const inks = VALENCE_STYLES.map(({ inner, rim }) =>
+    const inks = VALENCE_STYLES[this.palette].map(({ inner, rim }) =>
       [inner, inner, rim, rim].flatMap(componentsOf).map((c) => Math.round(255 * c)),
     );
     styles.forEach((style, k) => colours.set(inks[style], 12 * k));

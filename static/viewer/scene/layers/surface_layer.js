@@ -38,6 +38,9 @@ export class SurfaceLayer {
   /** Mean side of a face. */
   edge = 1;
   uniforms;
+  /** Colours of values beyond the map's range. */
+  #ends = { above: NOT_FINITE, below: NOT_FINITE };
+  #highFirst = false;
   #whole;
   #draft;
   #white;
@@ -55,6 +58,9 @@ export class SurfaceLayer {
       outsideColour: { value: new Vector3(1, 1, 1) },
       insideColour: { value: new Vector3(1, 1, 0) },
       missingColour: { value: new Vector3(...componentsOf(NOT_FINITE)) },
+      beyond: { value: false },
+      firstBeyond: { value: new Vector3() },
+      lastBeyond: { value: new Vector3() },
       cellValues: { value: colours.values },
       palette: { value: colours.palette },
       paletteScale: { value: 255 },
@@ -151,8 +157,26 @@ export class SurfaceLayer {
   setColour(colour) {
     this.uniforms.byCell.value = colour.by !== undefined && colour.by !== "sides";
     this.uniforms.paletteScale.value = colour.by && colour.by in CATEGORIES ? 1 : 255;
+    if (colour.missing) this.uniforms.missingColour.value.set(...componentsOf(colour.missing));
+    this.uniforms.beyond.value =
+      colour.beyond === true && (colour.by === "quality" || colour.by === "attribute");
+    this.#ends = { above: colour.above ?? this.#ends.above, below: colour.below ?? this.#ends.below };
+    this.#showEnds();
     if (colour.outside) this.uniforms.outsideColour.value.set(...componentsOf(colour.outside));
     if (colour.inside) this.uniforms.insideColour.value.set(...componentsOf(colour.inside));
+  }
+
+  /** Whether the map's first colour is that of high values. @param {boolean} highFirst */
+  set highFirst(highFirst) {
+    this.#highFirst = highFirst;
+    this.#showEnds();
+  }
+
+  #showEnds() {
+    const { above, below } = this.#ends;
+    const [first, last] = this.#highFirst ? [above, below] : [below, above];
+    this.uniforms.firstBeyond.value.set(...componentsOf(first));
+    this.uniforms.lastBeyond.value.set(...componentsOf(last));
   }
 
   dispose() {
