@@ -267,7 +267,9 @@ SCHEMA: Schema = {
                 }
             ),
             boundary={"type": "boolean", "default": False, "description": "Edges of the boundary too"},
-            palette=choice("standard", "colour_blind", description="Of valences; the second differs in width too"),
+            palette=choice(
+                "standard", "colour_blind", description="Of valences; the second differs in width too"
+            ),
         ),
         lighting=section(
             "Light.",
