@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 from PIL import Image
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Browser, Error, Page
 
 from hexalab.png_text import read_settings
 
@@ -138,6 +138,14 @@ def test_S5_a_pdf_has_its_size_and_its_words_as_text(viewer: Page) -> None:
     (box,) = re.findall(rb"/MediaBox \[0 0 ([\d.]+) ([\d.]+)\]", pdf)
     assert [float(side) / 72 * 25.4 for side in box] == pytest.approx([100, 60], abs=0.5)
     assert b"/Helvetica" in pdf and b"/Image" in pdf
+
+
+def test_S5_a_pdf_says_which_letters_it_lacks(viewer: Page) -> None:
+    settings = {"unit": "mm", "width": 100, "height": 60, "resolution": 72, "caption": True}
+    assert figure(viewer, "pdf", **settings, caption_text="−1 größer, “so”…").startswith(b"%PDF-")
+    with pytest.raises(Error, match="no ‘网’: save SVG or PNG"):
+        figure(viewer, "pdf", **settings, caption_text="网格")
+    assert "网格" in words(figure(viewer, "svg", **settings, caption_text="网格"))
 
 
 def test_S5_the_dialog_shows_what_will_be_saved(viewer: Page) -> None:

@@ -24,8 +24,7 @@ export class Cells {
     if (cell === null) {
       scene.highlight(null);
       scene.mark(null);
-      scene.covered = 0;
-      return facts.set({ cell: null });
+      return facts.set({ cell: null, flown: false });
     }
     try {
       const look = async () => {
@@ -75,12 +74,12 @@ export class Cells {
 
   /** Bring a cell before the camera, beside the inspector, and inspect it. @param {number} cell */
   async flyTo(cell) {
-    const { client, store, messages, scene } = this.#app;
+    const { client, store, messages, facts } = this.#app;
     try {
       const view = await client.call("cell_view", [cell]);
       store.set({ camera: cameraOnCell(store.status.camera, view) }, { undo: "fly" });
       await this.inspect(cell);
-      scene.covered = coveredByInspector();
+      facts.set({ flown: true });
     } catch (error) {
       messages.error(error, { topic: "inspect" });
     }
@@ -149,13 +148,4 @@ export class Cells {
       messages.error(error, { topic: "finding" });
     }
   }
-}
-
-/** CSS pixels at the right of the picture that the inspector covers; none where it is a sheet below. */
-function coveredByInspector() {
-  const inspector = document.querySelector(".inspector");
-  const canvas = document.getElementById("canvas");
-  if (!inspector || !canvas) return 0;
-  const [left, right] = [inspector.getBoundingClientRect().left, canvas.getBoundingClientRect().right];
-  return left > canvas.getBoundingClientRect().left + 1 ? Math.max(0, right - left) : 0;
 }

@@ -31,6 +31,9 @@ const POINTS = 72;
 const SCREEN = 96;
 const MILLIMETRES = 25.4;
 
+/** Width of a column of most journals, in mm: what a figure in mm is as wide as while no width is given. */
+const COLUMN = 85;
+
 /** Pictures with what stands around them: legend, scale bar, axes, caption, several in a row. */
 export class Figures {
   #app;
@@ -51,7 +54,7 @@ export class Figures {
     const shape = canvas.height / canvas.width;
     if (unit === "mm") {
       const dots = resolution / MILLIMETRES;
-      const wide = (width ?? 85) * dots;
+      const wide = (width ?? COLUMN) * dots;
       return { ...bounded(wide, (height ?? 0) * dots || wide * shape), point: resolution / POINTS };
     }
     const ratio = devicePixelRatio;

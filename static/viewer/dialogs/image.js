@@ -1,9 +1,9 @@
 import { saveFile } from "../app/saving.js";
-import { optionsOf, rangeOf } from "../state/choices.js";
+import { optionsOf } from "../state/choices.js";
 import { PANELS } from "../state/panels.js";
-import { parsed } from "../state/numbers.js";
+import { parsed, typed } from "../state/numbers.js";
 import { watch } from "../widgets/bind.js";
-import { buttons } from "../widgets/controls.js";
+import { buttons, wholeNumber } from "../widgets/controls.js";
 import { h, setText } from "../widgets/dom.js";
 import { renderControl } from "../widgets/section.js";
 import { dialog } from "./dialog.js";
@@ -22,11 +22,18 @@ const REST = 250;
 /** @param {Context} context */
 const figureOf = ({ store }) => store.status.figure;
 
-/** @param {"width" | "height"} side @returns {import("../widgets/bind.js").NumberField} */
-const sideField = (side) => ({
+/** One side; while none is typed, the box shows what it follows from the screen to be. @param {"width" | "height"} side @param {HTMLCanvasElement} canvas @returns {import("../widgets/bind.js").NumberField} */
+const sideField = (side, canvas) => ({
   name: side,
   optional: true,
-  placeholder: () => side,
+  placeholder: (context) => {
+    const { [side]: pixels } = context.app.figures.size({
+      width: canvas.clientWidth,
+      height: canvas.clientHeight,
+    });
+    const { unit, resolution } = figureOf(context);
+    return typed(unit === "mm" ? (pixels / resolution) * 25.4 : pixels, 1);
+  },
   read: (context) => figureOf(context)[side],
   write: (value) => ({ figure: { [side]: value } }),
 });
@@ -92,40 +99,31 @@ const controlsOf = (canvas) => [
     label: "Width, height",
     status: ["figure"],
     digits: 1,
-    items: [sideField("width"), sideField("height")],
+    items: [sideField("width", canvas), sideField("height", canvas)],
   },
-  {
-    kind: "slider",
+  wholeNumber({
     id: "figure-resolution",
     label: "Resolution",
     hint: "Dots per inch",
     path: "figure.resolution",
     status: ["figure.unit"],
     range: [72, 1200, 1],
-    digits: 0,
     hidden: (context) => figureOf(context).unit !== "mm",
-    box: { range: rangeOf("figure.resolution", 1) },
-  },
-  {
-    kind: "slider",
+  }),
+  wholeNumber({
     id: "figure-letters",
     label: "Letters",
     hint: "Size in points",
     path: "figure.letters",
     range: [6, 24, 1],
-    digits: 0,
-    box: { range: rangeOf("figure.letters", 1) },
-  },
-  {
-    kind: "slider",
+  }),
+  wholeNumber({
     id: "figure-margin",
     label: "Margin",
     hint: "In points",
     path: "figure.margin",
     range: [0, 40, 1],
-    digits: 0,
-    box: { range: rangeOf("figure.margin", 1) },
-  },
+  }),
   toggle("transparent", "Transparent", "Nothing behind the mesh"),
   toggle("crop", "Crop", "What is empty around the mesh is cut off"),
   {

@@ -18,6 +18,7 @@ import { meshName } from "./mesh_name.js";
 import { messageList } from "./message_list.js";
 import { progressBar } from "./progress_bar.js";
 import { cellLabel } from "./cell_label.js";
+import { centreBeside } from "./covered.js";
 import { emptyState } from "./empty_state.js";
 import { statusLine } from "./status_line.js";
 import { pictureInWords } from "./picture_in_words.js";
@@ -38,6 +39,7 @@ export class Page {
     };
     place("bar", ...bar(context, this.dialogs));
     place("panel", ...SECTIONS.map((section) => renderSection(context, section)));
+    const cellInspector = inspector(context);
     place(
       "view",
       meshName(context),
@@ -45,13 +47,14 @@ export class Page {
       emptyState(context),
       fitButton(context),
       cellLabel(context, context.app.scene),
-      inspector(context),
+      cellInspector,
       messageList(context),
     );
     place("status-line", ...statusLine(context));
     document.body.append(...Object.values(this.dialogs));
     pictureInWords(context, canvas);
     tellChanges(context, SECTIONS);
+    centreBeside(context, cellInspector, canvas);
     followSize(context, canvas);
     followModality();
   }

@@ -1,7 +1,8 @@
 import { categoryColour } from "../colours/palettes.js";
-import { optionsOf, rangeOf } from "../state/choices.js";
+import { optionsOf } from "../state/choices.js";
 import { count, typed } from "../state/numbers.js";
 import { watch } from "../widgets/bind.js";
+import { wholeNumber } from "../widgets/controls.js";
 import { h } from "../widgets/dom.js";
 import { swatch } from "../widgets/swatch.js";
 import { KIND_NAMES, KINDS } from "../state/kinds.js";
@@ -106,16 +107,13 @@ export const drawing = {
           items: [rangeField(0, "low"), rangeField(1, "high")],
         },
         { kind: "toggle", id: "colour-reversed", label: "Reversed", path: "colour.reversed" },
-        {
-          kind: "slider",
+        wholeNumber({
           id: "colour-steps",
           label: "Steps",
           hint: "Colours of the map; 0: it runs smoothly",
           path: "colour.steps",
           range: [0, 16, 1],
-          digits: 0,
-          box: { range: rangeOf("colour.steps", 1) },
-        },
+        }),
         {
           kind: "colours",
           label: "Not finite",

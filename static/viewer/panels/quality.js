@@ -1,6 +1,7 @@
-import { optionsOf, rangeOf } from "../state/choices.js";
+import { optionsOf } from "../state/choices.js";
 import { clamp, count, decimal } from "../state/numbers.js";
 import { watch } from "../widgets/bind.js";
+import { wholeNumber } from "../widgets/controls.js";
 import { h } from "../widgets/dom.js";
 import { histogramPanel } from "./histogram.js";
 import { worstCells } from "./worst_cells.js";
@@ -50,15 +51,12 @@ export const quality = {
           path: "histogram.scale",
           options: optionsOf("histogram.scale"),
         },
-        {
-          kind: "slider",
+        wholeNumber({
           id: "histogram-bins",
           label: "Bins",
           path: "histogram.bins",
           range: [10, 200, 10],
-          digits: 0,
-          box: { range: rangeOf("histogram.bins", 1) },
-        },
+        }),
         {
           kind: "text",
           id: "histogram-title",
@@ -77,16 +75,13 @@ export const quality = {
           digits: 1,
           items: [millimetres("width"), millimetres("height")],
         },
-        {
-          kind: "slider",
+        wholeNumber({
           id: "histogram-letters",
           label: "Letters",
           hint: "In points, of the saved one",
           path: "histogram.letters",
           range: [6, 24, 1],
-          digits: 0,
-          box: { range: rangeOf("histogram.letters", 1) },
-        },
+        }),
         {
           kind: "choice",
           id: "histogram-font",

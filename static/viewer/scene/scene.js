@@ -217,6 +217,7 @@ export class Scene {
   mark(edges) {
     this.#layers.outline.set(edges);
     this.#marked = edges;
+    this.#enclose();
     this.#loop.invalidate();
   }
 

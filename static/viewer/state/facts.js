@@ -39,6 +39,7 @@
  * @property {import("./answers.js").Colour | null} colour
  * @property {number | null} layers of cells from the boundary inwards
  * @property {import("./answers.js").Inspection | null} cell in the inspector
+ * @property {boolean} flown whether the cell in the inspector was flown to: then it stands beside the inspector
  * @property {Hover | null} hover
  * @property {number} plane number of the one at hand
  * @property {boolean} planeShown while its slider is held
@@ -52,7 +53,7 @@
 
 /** What is known of a mesh before anything is, and the tool at hand: another mesh starts with these. */
 export const NEW_MESH = Object.freeze(
-  /** @type {Pick<FactTable, "tool" | "source" | "entry" | "summary" | "description" | "statistics" | "histogram" | "worst" | "irregular" | "shown" | "colour" | "layers" | "cell" | "hover" | "plane" | "planeRanges">} */ ({
+  /** @type {Pick<FactTable, "tool" | "source" | "entry" | "summary" | "description" | "statistics" | "histogram" | "worst" | "irregular" | "shown" | "colour" | "layers" | "cell" | "flown" | "hover" | "plane" | "planeRanges">} */ ({
     tool: "turn",
     source: null,
     entry: null,
@@ -66,6 +67,7 @@ export const NEW_MESH = Object.freeze(
     colour: null,
     layers: null,
     cell: null,
+    flown: false,
     hover: null,
     plane: 0,
     planeRanges: [],

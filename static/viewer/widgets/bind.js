@@ -27,7 +27,7 @@
  * @property {(format: ChartFormat) => unknown} saveHistogram
  * @property {{ reset: () => void, fitShown: () => void, flyToShown: () => Promise<void> }} views
  * @property {{ dismiss: (id: number) => void }} messages
- * @property {{ file: (format: "png" | "svg" | "pdf", canvas: HTMLCanvasElement) => Promise<Blob>, lastSize: Size }} figures
+ * @property {{ file: (format: "png" | "svg" | "pdf", canvas: HTMLCanvasElement) => Promise<Blob>, size: (canvas: Size) => Size, lastSize: Size }} figures
  * @property {{ text: () => string, apply: (document: unknown) => Promise<import("../state/answers.js").Rejection[]> }} documents
  * @property {{ stem: string, saveStatus: () => void, link: () => Promise<string> }} saving
  * @property {(files: readonly File[]) => Promise<void>} offerBatch

@@ -101,13 +101,10 @@ export class CameraRig {
 
   /** Where it would stand to see some points. @param {ArrayLike<number>} points @param {number} [filled] part of the picture that they fill */
   around(points, filled) {
-    const { fieldOfView, aspect, projection } = this;
-    const { target, distance } = fitted(points, this.orientation, {
-      fieldOfView,
-      aspect,
-      projection,
-      filled,
-    });
+    const { fieldOfView, projection } = this;
+    const aspect = this.aspect * (1 - this.covered);
+    const lens = { fieldOfView, aspect, projection, filled };
+    const { target, distance } = fitted(points, this.orientation, lens);
     return { fit: false, target: target.toArray(), distance };
   }
 

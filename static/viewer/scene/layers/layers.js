@@ -119,7 +119,8 @@ export class Layers {
 
   /** All that is drawn is within; null where nothing is. */
   get box() {
-    return around([this.surface.box, this.silhouette.box, this.irregular.box, this.plane.box]);
+    const { surface, silhouette, irregular, plane, outline } = this;
+    return around([surface, silhouette, irregular, plane, outline].map(({ box }) => box));
   }
 
   /** Edges of the surface. @returns {number} */

@@ -1,4 +1,5 @@
 import { Group } from "three";
+import { boxOf } from "../../geometry/box.js";
 import { LinesLayer } from "./lines_layer.js";
 
 const INK = [{ colour: "#0b6e74", ink: 1 }];
@@ -8,6 +9,8 @@ const INK = [{ colour: "#0b6e74", ink: 1 }];
  */
 export class OutlineLayer {
   group = new Group();
+  /** @type {import("../../geometry/box.js").Box | null} */
+  box = null;
   #seen = new LinesLayer(INK);
   #through = new LinesLayer(INK, { seeThrough: true });
 
@@ -21,6 +24,7 @@ export class OutlineLayer {
 
   /** @param {Float32Array | null} ends 6 numbers for each edge */
   set(ends) {
+    this.box = ends && boxOf(ends);
     for (const lines of [this.#through, this.#seen]) {
       lines.set(ends ?? new Float32Array(0), null);
       lines.mesh.visible = ends !== null && ends.length > 0;

@@ -89,3 +89,18 @@ test("V6: an eye within what is drawn is not outside", () => {
   const rig = new CameraRig({ ...FRONT, distance: 0.1 });
   assert.equal(rig.outside, false);
 });
+
+test("V6: where something covers the right of the picture, a body is fitted into the rest", () => {
+  for (const projection of PROJECTIONS) {
+    const rig = new CameraRig({ ...FRONT, fit: true, projection });
+    rig.body = cornersOf(BODIES.plate);
+    rig.drawn = BODIES.plate;
+    rig.aspect = 1.5;
+    rig.covered = 0.4;
+    const xs = placesOf(rig, BODIES.plate).map(({ x }) => x);
+    assert.ok(Math.min(...xs) > -1 && Math.max(...xs) < 1 - 2 * 0.4, `${projection} ${xs}`);
+    assert.ok(Math.abs(Math.min(...xs) + Math.max(...xs) + 2 * 0.4) < 0.02, "in the middle of the rest");
+    const under = rig.pointAt(0.3, -0.2).project(rig.camera);
+    assert.ok(Math.abs(under.x - 0.3) < 1e-9 && Math.abs(under.y + 0.2) < 1e-9, "a ray meets its pixel");
+  }
+});

@@ -1,0 +1,15 @@
+import { watch } from "../widgets/bind.js";
+
+/**
+ * The view's middle is beside the inspector while a cell is in it that was flown to; on a narrow screen, where the inspector is a
+ * sheet below, it stays.
+ *
+ * @param {import("../widgets/bind.js").Context} context @param {HTMLElement} inspector @param {HTMLCanvasElement} canvas
+ */
+export function centreBeside({ app, ...context }, inspector, canvas) {
+  watch({ app, ...context }, { facts: ["cell", "flown"] }, () => {
+    const shown = context.facts.get("cell") && context.facts.get("flown");
+    const [cover, picture] = [inspector, canvas].map((element) => element.getBoundingClientRect());
+    app.scene.covered = shown && cover.left > picture.left + 1 ? Math.max(0, picture.right - cover.left) : 0;
+  });
+}
