@@ -13,7 +13,10 @@ from .records import Floats32
 STRAY = 100
 """A part so many times smaller than the extent, though it is the largest, has the drawing for itself."""
 
-LOOKED_AT = 65_536
+SLABS = 16
+"""Of the extent's longest side, to see whether there are gaps: no mesh of many cells has any but between its parts."""
+
+LOOKED_AT = 16_384
 """Vertices that are looked at where not all need be."""
 
 SLENDER = 4
@@ -70,15 +73,15 @@ def frame_of(mesh: Mesh) -> Frame:
 
 
 def _has_gaps(mesh: Mesh, low: Floats, high: Floats) -> bool:
-    """Whether one of `STRAY` slabs across the longest side holds no vertex, of those looked at."""
+    """Whether one of `SLABS` slabs across the longest side holds no vertex, of those looked at."""
     axis = int((high / 2 - low / 2).argmax())
     half = high[axis] / 2 - low[axis] / 2
     if not half > 0:
         return False
     along: Array = mesh.coordinates[axis, :: max(1, mesh.vertex_count // LOOKED_AT)]
     share = (along / 2 - low[axis] / 2) / half
-    slabs = (share[(share >= 0) & (share <= 1)] * STRAY).astype(np.int64)
-    return bool((np.bincount(slabs, minlength=STRAY)[:STRAY] == 0).any())
+    slabs = (share[(share >= 0) & (share <= 1)] * SLABS).astype(np.int64)
+    return bool((np.bincount(slabs, minlength=SLABS)[:SLABS] == 0).any())
 
 
 def placed_within(mesh: Mesh, frame: Frame) -> Floats:
