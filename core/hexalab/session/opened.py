@@ -20,7 +20,7 @@ from ..quality import METRICS, Validity, certify, quality, statistics
 from ..status import OpenMesh
 from ..status.views import three_quarters
 from ..summary import STRUCTURE
-from ..surface import DrawnMesh, Irregular, extract_irregular, long_axis, outline, placed_within
+from ..surface import DrawnMesh, Irregular, extract_irregular, long_axis, outline, skin
 from ..topology.shapes import SHAPES, shapes
 from .mean_volumes import MeanVolumes
 
@@ -80,7 +80,7 @@ class Opened:
         `outline` ((3 n,) float32, drawing coordinates of points that a camera is fitted to).
         """
         mesh, frame = self.mesh, self.drawn_mesh.frame
-        points = placed_within(mesh, frame)
+        points = skin(mesh, frame)
         view = three_quarters((frame.high - frame.low).tolist(), mesh.cell_count, long_axis(points))
         return {
             "extent": mesh.extent.tolist(),

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from .darkness_coded_edges import darkness_coded_edges
 from .drawn_mesh import DrawnMesh
 from .fissure import fissure
-from .frame import Frame, long_axis, outline, placed_within
+from .frame import Frame, long_axis, outline, skin
 from .irregular import extract_irregular
 from .lines import interface_quads, lines
 from .records import Irregular, Silhouette, Surface
@@ -28,7 +28,7 @@ __all__ = [
     "extract_surface",
     "long_axis",
     "outline",
-    "placed_within",
+    "skin",
 ]
 
 MODES = ("lines", "darkness_coded_edges", "fissure", "rounded")

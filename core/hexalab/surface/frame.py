@@ -17,7 +17,10 @@ SLABS = 16
 """Of the extent's longest side, to see whether there are gaps: no mesh of many cells has any but between its parts."""
 
 LOOKED_AT = 16_384
-"""Vertices that are looked at where not all need be."""
+"""Vertices that are looked at to see whether there are gaps."""
+
+MOST = 131_072
+"""Vertices of the boundary that stand for the body, at the most twice as many."""
 
 SLENDER = 4
 """Spread along a body over that across, from which on it is a needle."""
@@ -84,9 +87,17 @@ def _has_gaps(mesh: Mesh, low: Floats, high: Floats) -> bool:
     return bool((np.bincount(slabs, minlength=SLABS)[:SLABS] == 0).any())
 
 
-def placed_within(mesh: Mesh, frame: Frame) -> Floats:
-    """(3, n) float64 drawing coordinates of vertices within the frame, of at most twice `LOOKED_AT` spread evenly."""
-    points = mesh.coordinates[:, :: max(1, mesh.vertex_count // LOOKED_AT)]
+def skin(mesh: Mesh, frame: Frame) -> Floats:
+    """(3, n) float64 drawing coordinates of the boundary's vertices within the frame: nothing stands out of them.
+
+    Of more than `MOST` every second, third, ... is taken.
+    """
+    topology = mesh.topology
+    rows = topology.faces.boundary
+    own = np.zeros(mesh.vertex_count, dtype=bool)
+    own[topology.corners_of(topology.face_cells[0, rows], topology.face_locals[0, rows])] = True
+    vertices = np.flatnonzero(own if topology.boundary_face_count else mesh.referenced)
+    points = mesh.coordinates[:, vertices[:: max(1, len(vertices) // MOST)]]
     within = ((points >= frame.low[:, None]) & (points <= frame.high[:, None])).all(axis=0)
     return np.asarray((points[:, within] - frame.centre[:, None]) / frame.diagonal)
 

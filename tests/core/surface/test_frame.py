@@ -9,7 +9,7 @@ import pytest
 
 from hexalab import Mesh
 from hexalab.session import Session
-from hexalab.surface import DrawnMesh, long_axis, outline, placed_within
+from hexalab.surface import DrawnMesh, long_axis, outline, skin
 from hexalab.surface.frame import STRAY
 
 from .shapes import grid
@@ -109,5 +109,18 @@ def test_V6_what_the_viewer_is_told(tmp_path):
 def test_V6_vertices_of_stray_parts_are_not_fitted_to():
     body, stray = moved(grid(4, 3, 2), 5000, 0, 0), grid(1, 1, 1)
     mesh = together(body, stray)
-    points = placed_within(mesh, DrawnMesh(mesh).frame)
-    assert points.shape == (3, 60)
+    points = skin(mesh, DrawnMesh(mesh).frame)
+    assert points.shape == (3, 54)  # of 60 vertices six are inside
+
+
+def test_V6_no_corner_of_a_large_mesh_stands_out_of_its_outline() -> None:
+    """The top of a grid of a million cells was cut off: its corners are boundary vertices, which are all looked at."""
+    mesh = grid(48, 40, 36, turned=False)
+    points = outline(skin(mesh, DrawnMesh(mesh).frame))
+    corners = (
+        np.array(np.meshgrid(*[[-0.5, 0.5]] * 3)).reshape(3, -1).T
+        * [48, 40, 36]
+        / np.linalg.norm([48, 40, 36])
+    )
+    for corner in corners:
+        assert np.abs(points - corner).max(axis=1).min() < 1e-6
