@@ -73,6 +73,7 @@ def test_A1_a_whole_conversation(ask: Ask, said: set[str], attributed: bytes, tw
     assert {name: array.dtype for name, array in surface.items() if name not in ("mode", "quads")} == {
         "positions": np.float32, "normals": np.int16, "cells": np.uint32, "inside": np.uint8,
         "faces": np.uint32, "edges": np.float32, "edge_cells": np.uint8,
+        "edge_faces": np.uint32,
     }  # fmt: skip
     assert (surface["mode"], surface["quads"], len(surface["faces"])) == ("lines", None, 22)
     low, high = (

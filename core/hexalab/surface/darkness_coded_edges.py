@@ -7,10 +7,11 @@ from numpy.typing import NDArray
 
 from ..arrays import Ids
 from .drawn_mesh import DrawnMesh
-from .edges import Indices, one_of_each, quad_sides
+from .edges import Indices, faces_beside, one_of_each, quad_sides
 from .fan import Walks, fan_sizes
+from .flat import Edges
 from .lines import edge_lines, interface_surface
-from .records import Bytes, Surface
+from .records import Surface
 
 
 def darkness_coded_edges(drawn_mesh: DrawnMesh, shown: NDArray[np.bool_]) -> Surface:
@@ -32,9 +33,12 @@ def darkness_coded_edges(drawn_mesh: DrawnMesh, shown: NDArray[np.bool_]) -> Sur
     local = interface.locals[quad].astype(np.intp)
     walks = Walks(interface.cells[quad], local, place, start, end)
     around = _cells_around(drawn_mesh, shown, walks, winner)
-    edges = edge_lines(drawn_mesh, start[drawn], end[drawn])
-    counts: Bytes = np.minimum(around[drawn], 255).astype(np.uint8)
-    return interface_surface(drawn_mesh, "darkness_coded_edges", interface, corners, edges, counts)
+    edges = Edges(
+        edges=edge_lines(drawn_mesh, start[drawn], end[drawn]),
+        edge_cells=np.minimum(around[drawn], 255).astype(np.uint8),
+        edge_faces=faces_beside(winner, drawn, quad),
+    )
+    return interface_surface(drawn_mesh, "darkness_coded_edges", interface, corners, edges)
 
 
 def _cells_around(drawn_mesh: DrawnMesh, shown: NDArray[np.bool_], sides: Walks, winner: Indices) -> Ids:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from ..arrays import Ids
 from ..topology.slots import last_writers
+from .records import UInt32s
 
 Indices = NDArray[np.intp]
 
@@ -56,3 +57,24 @@ def one_of_each(start: Ids, end: Ids) -> Indices:
         winner[sides[agree]] = first[agree]
         sides, slot = sides[rest], slot[rest]
     return winner
+
+
+def faces_beside(winner: Indices, drawn: Indices, quad: Indices) -> UInt32s:
+    """(2 E,) two quads that meet at each drawn side's edge; the same twice where there is but one.
+
+    Parameters
+    ----------
+    winner : (S,) intp
+        As `one_of_each` returns it.
+    drawn : (E,) intp
+        Sides that stand for their edges.
+    quad : (S,) intp
+        Quad of each side.
+    """
+    partner = np.arange(len(winner))
+    others = np.flatnonzero(winner != partner)
+    partner[winner[others]] = others
+    beside = np.empty((len(drawn), 2), np.uint32)
+    beside[:, 0] = quad[drawn]
+    beside[:, 1] = quad[partner[drawn]]
+    return beside.reshape(-1)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,10 +11,22 @@ from numpy.typing import NDArray
 from ..arrays import Array
 from .drawn_mesh import DrawnMesh
 from .normals import pack, quad_normals
-from .records import Bytes, Floats32, Int16s, Surface
+from .records import Bytes, Floats32, Int16s, Surface, UInt32s
 
 NO_LINES: Floats32 = np.empty(0, np.float32)
 NO_COUNTS: Bytes = np.empty(0, np.uint8)
+NO_FACES: UInt32s = np.empty(0, np.uint32)
+
+
+class Edges(NamedTuple):
+    """The lines of a surface, as `Surface` describes them."""
+
+    edges: Floats32 = NO_LINES
+    edge_cells: Bytes = NO_COUNTS
+    edge_faces: UInt32s = NO_FACES
+
+
+NO_EDGES = Edges()
 
 
 def flat_surface(
@@ -24,8 +36,7 @@ def flat_surface(
     cells: Array,
     local: Array,
     inside: NDArray[np.bool_],
-    edges: Floats32 = NO_LINES,
-    edge_cells: Bytes = NO_COUNTS,
+    edges: Edges = NO_EDGES,
 ) -> Surface:
     """Surface of flat quads.
 
@@ -39,8 +50,7 @@ def flat_surface(
         Cell of each quad, and which of its faces it is.
     inside : (Q,) bool
         Whether filters expose it.
-    edges, edge_cells
-        As in `Surface`.
+    edges : Edges
     """
     positions, normals = flat_quads(points, lambda which: drawn_mesh.barycentres(cells[which]))
     own = cells.astype(np.uint32)
@@ -52,8 +62,7 @@ def flat_surface(
         inside=fourfold(inside.view(np.uint8) * np.uint8(255)),
         quads=None,
         faces=own * np.uint32(8) + local.astype(np.uint32),
-        edges=edges,
-        edge_cells=edge_cells,
+        **edges._asdict(),
     )
 
 

@@ -40,6 +40,8 @@ def extract_irregular(drawn_mesh: DrawnMesh, barbs: bool = True, paper: bool = T
     edges = np.concatenate([within, outer])
     valence: Bytes = np.minimum(topology.edge_cells[edges], 255).astype(np.uint8)
     outside: Bytes = boundary[edges].view(np.uint8)
+    vertices = topology.edge_vertices[:, edges]
+    reached = _on_boundary(drawn_mesh)[vertices]
     barb_lines, flaps = NO_LINES, NO_LINES
     barb_of: Indices = np.empty(0, np.intp)
     flap_of: Indices = np.empty(0, np.intp)
@@ -55,9 +57,10 @@ def extract_irregular(drawn_mesh: DrawnMesh, barbs: bool = True, paper: bool = T
             quads = np.stack([root[:, 0], root[:, 1], far[:, 1], far[:, 0]], axis=1)
             flaps, flap_of = interleave(quads), around.edges
     return Irregular(
-        edges=interleave(drawn_mesh.points(topology.edge_vertices[:, edges])),
+        edges=interleave(drawn_mesh.points(vertices)),
         valence=valence,
         boundary=outside,
+        ends_on_boundary=reached[0] + np.uint8(2) * reached[1],
         barbs=barb_lines,
         barb_valence=valence[barb_of],
         barb_boundary=outside[barb_of],
@@ -69,6 +72,14 @@ def extract_irregular(drawn_mesh: DrawnMesh, barbs: bool = True, paper: bool = T
             "boundary": _counts(topology.edge_cells[outer]),
         },
     )
+
+
+def _on_boundary(drawn_mesh: DrawnMesh) -> Bytes:
+    """(V,) 1 where a vertex lies on the mesh's boundary."""
+    topology = drawn_mesh.whole.topology
+    on: Bytes = np.zeros(drawn_mesh.whole.vertex_count, np.uint8)
+    on[topology.edge_vertices[:, topology.edge_on_boundary]] = 1
+    return on
 
 
 class _FacesAround(NamedTuple):

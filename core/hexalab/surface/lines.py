@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 from ..arrays import Array, Ids
 from ..topology import Interface
 from .drawn_mesh import DrawnMesh
-from .edges import one_of_each, quad_sides
-from .flat import NO_COUNTS, NO_LINES, flat_surface, interleave
-from .records import Bytes, Floats32, Surface
+from .edges import faces_beside, one_of_each, quad_sides
+from .flat import NO_EDGES, Edges, flat_surface, interleave
+from .records import Floats32, Surface
 
 
 def lines(drawn_mesh: DrawnMesh, shown: NDArray[np.bool_]) -> Surface:
@@ -23,28 +23,31 @@ def lines(drawn_mesh: DrawnMesh, shown: NDArray[np.bool_]) -> Surface:
     """
     interface = drawn_mesh.topology.interface(shown)
     corners = drawn_mesh.topology.corners_of(interface.cells, interface.locals)
-    start, end, _ = quad_sides(corners)
-    drawn = np.flatnonzero(one_of_each(start, end) == np.arange(len(start)))
-    edges = edge_lines(drawn_mesh, start[drawn], end[drawn])
-    return interface_surface(drawn_mesh, "lines", interface, corners, edges, NO_COUNTS)
+    start, end, side = quad_sides(corners)
+    winner = one_of_each(start, end)
+    drawn = np.flatnonzero(winner == np.arange(len(start)))
+    quad = side % max(corners.shape[1], 1)
+    edges = Edges(
+        edges=edge_lines(drawn_mesh, start[drawn], end[drawn]),
+        edge_faces=faces_beside(winner, drawn, quad),
+    )
+    return interface_surface(drawn_mesh, "lines", interface, corners, edges)
 
 
 def interface_quads(drawn_mesh: DrawnMesh, shown: NDArray[np.bool_], mode: str) -> Surface:
     """Surface of a mode that draws lines, without them."""
     interface = drawn_mesh.topology.interface(shown)
     corners = drawn_mesh.topology.corners_of(interface.cells, interface.locals)
-    return interface_surface(drawn_mesh, mode, interface, corners, NO_LINES, NO_COUNTS)
+    return interface_surface(drawn_mesh, mode, interface, corners)
 
 
 def interface_surface(
-    drawn_mesh: DrawnMesh, mode: str, interface: Interface, corners: Ids, edges: Floats32, edge_cells: Bytes
+    drawn_mesh: DrawnMesh, mode: str, interface: Interface, corners: Ids, edges: Edges = NO_EDGES
 ) -> Surface:
     """Flat quads of an interface, (4, Q) corners, with edges already found."""
     points = drawn_mesh.points(corners)
     inside = exposed_by_filters(drawn_mesh, interface.rows)
-    return flat_surface(
-        drawn_mesh, mode, points, interface.cells, interface.locals, inside, edges, edge_cells
-    )
+    return flat_surface(drawn_mesh, mode, points, interface.cells, interface.locals, inside, edges)
 
 
 def exposed_by_filters(drawn_mesh: DrawnMesh, rows: Array) -> NDArray[np.bool_]:

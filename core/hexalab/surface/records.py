@@ -41,6 +41,8 @@ class Surface:
         End points of the lines to draw, each edge once; only in the modes that draw lines.
     edge_cells : (E,) uint8
         Number of shown cells around each edge, at most 255; only with darkness-coded edges.
+    edge_faces : (2 E,) uint32
+        Places in `faces` of two that meet at each edge, the same twice where there is but one.
     """
 
     mode: str
@@ -52,6 +54,7 @@ class Surface:
     faces: UInt32s
     edges: Floats32
     edge_cells: Bytes
+    edge_faces: UInt32s
 
     def arrays(self) -> dict[str, Any]:
         """All fields by name, not copied."""
@@ -84,6 +87,8 @@ class Irregular:
         Number of cells around, at most 255.
     boundary : (E,) uint8
         1 if the edge lies on the mesh's boundary.
+    ends_on_boundary : (E,) uint8
+        1 where the edge's first vertex lies on the mesh's boundary, plus 2 where the second does.
     barbs : (6 B,) float32
         From an end of an irregular edge (the root) to 45 % of the way along a neighbouring edge of a face
         around it.
@@ -101,6 +106,7 @@ class Irregular:
     edges: Floats32
     valence: Bytes
     boundary: Bytes
+    ends_on_boundary: Bytes
     barbs: Floats32
     barb_valence: Bytes
     barb_boundary: Bytes

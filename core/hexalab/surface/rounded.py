@@ -11,7 +11,7 @@ from ..cells import FACES
 from .collapse import by_pattern, polygons
 from .drawn_mesh import DrawnMesh
 from .exposure import ExposedCells, exposed_cells
-from .flat import NO_COUNTS, NO_LINES
+from .flat import NO_EDGES
 from .lattice import THIRD, Lattice, lattice
 from .lines import exposed_by_filters
 from .normals import pack, quad_normals, unit
@@ -76,8 +76,7 @@ def rounded(drawn_mesh: DrawnMesh, shown: NDArray[np.bool_], radius: float = 0.0
         inside=sheet.inside,
         quads=sheet.quads.reshape(-1),
         faces=sheet.faces,
-        edges=NO_LINES,
-        edge_cells=NO_COUNTS,
+        **NO_EDGES._asdict(),
     )
 
 

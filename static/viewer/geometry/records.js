@@ -12,6 +12,7 @@
  * @property {Uint32Array} faces 1 per face: cell * 8 + local face
  * @property {Float32Array} edges 6 per line
  * @property {Uint8Array} edge_cells 1 per line, or empty
+ * @property {Uint32Array} edge_faces 2 per line: places in `faces` of those that meet there
  *
  * @typedef {object} Silhouette
  * @property {Float32Array} positions
@@ -21,6 +22,7 @@
  * @property {Float32Array} edges
  * @property {Uint8Array} valence
  * @property {Uint8Array} boundary
+ * @property {Uint8Array} ends_on_boundary 1 for the first end, plus 2 for the second
  * @property {Float32Array} barbs
  * @property {Uint8Array} barb_valence
  * @property {Uint8Array} barb_boundary

@@ -32,6 +32,7 @@ def grid_surface(shown: NDArray[np.bool_], mode: str = "lines") -> dict[str, Any
         inside.append(np.repeat(within * 255, 4))
         faces.append(ids * 8 + local)
     corners = np.concatenate(positions)
+    edges, beside = quad_edges(corners)
     return {
         "mode": mode,
         "positions": corners.astype(np.float32).ravel(),
@@ -40,19 +41,22 @@ def grid_surface(shown: NDArray[np.bool_], mode: str = "lines") -> dict[str, Any
         "inside": np.concatenate(inside).astype(np.uint8),
         "quads": None,
         "faces": np.concatenate(faces).astype(np.uint32),
-        "edges": quad_edges(corners).astype(np.float32).ravel(),
+        "edges": edges.astype(np.float32).ravel(),
         "edge_cells": np.zeros(0, np.uint8),
+        "edge_faces": beside.astype(np.uint32).ravel(),
     }
 
 
-def quad_edges(corners: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the distinct edges (E, 2, 3) of quads (Q, 4, 3)."""
+def quad_edges(corners: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
+    """Return the distinct edges (E, 2, 3) of quads (Q, 4, 3), and the first and the last quad at each, (E, 2)."""
     pairs = np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2, 3)
     keys = np.round(pairs * 1e6).astype(np.int64)
     swap = np.array([tuple(a) > tuple(b) for a, b in keys])
     keys[swap] = keys[swap][:, ::-1]
-    _, first = np.unique(keys.reshape(-1, 6), axis=0, return_index=True)
-    return pairs[np.sort(first)]
+    _, first, which = np.unique(keys.reshape(-1, 6), axis=0, return_index=True, return_inverse=True)
+    last = np.zeros(len(first), np.intp)
+    last[which.reshape(-1)] = np.arange(len(pairs))
+    return pairs[first], np.stack([first, last], axis=1) // 4
 
 
 KINDS = {"float32": "f32", "int16": "i16", "uint32": "u32", "uint8": "u8"}

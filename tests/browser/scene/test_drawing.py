@@ -129,6 +129,31 @@ def test_V1_no_line_shines_through_or_breaks_on_a_slanted_face(stage: Any) -> No
     assert model.any()
 
 
+def test_V1_where_lines_meet_they_are_as_dark_as_elsewhere(stage: Any) -> None:
+    for colours in ({"by": "sides", "outside": "#ffffff"}, {"by": "sides", "outside": "#101040"}):
+        show(
+            stage, np.ones((3, 3, 1), bool), colour=colours, separation={"line_opacity": 0.4, "line_width": 6}
+        )
+        picture = stage.picture().astype(int)
+        cell = 1 / np.sqrt(19)
+        face = np.array(at(picture, (0, 0, 0), scale(300)))
+        crossing = np.array(at(picture, (cell / 2, cell / 2, 0), scale(300)))
+        beside = np.array(at(picture, (cell / 2, 0, 0), scale(300)))
+        assert np.abs(crossing - beside).max() <= 1
+        assert np.abs(face - beside).max() > 50
+
+
+def test_V1_lines_are_light_where_the_colours_on_both_sides_are_dark(stage: Any) -> None:
+    lines = {"line_opacity": 1, "line_width": 5}
+    show(stage, np.ones((4, 1, 1), bool), colour={"by": "quality", "map": "parula"}, separation=lines)
+    stage.call("setCellColours", np.array([0, 0, 1, 1], np.float32))
+    stage.settle()
+    picture = stage.picture().astype(int)
+    cell = 1 / np.sqrt(18)
+    both_dark, one_light, both_light = (at(picture, (x * cell, 0, 0), scale(300)) for x in (-1, 0, 1))
+    assert min(both_dark) > 120 and max(one_light) < 10 and max(both_light) < 10
+
+
 def test_V1_darkness_tells_the_number_of_cells_around_an_edge(stage: Any) -> None:
     shown = np.ones((3, 1, 1), bool)
     surface = grid_surface(shown, "darkness_coded_edges")
@@ -137,6 +162,7 @@ def test_V1_darkness_tells_the_number_of_cells_around_an_edge(stage: Any) -> Non
     ends = np.array([[[x, -y, z], [x, y, z]] for x in (-0.3, 0.0, 0.3)], np.float32)
     surface["edges"] = ends.ravel()
     surface["edge_cells"] = np.array([1, 2, 5], np.uint8)
+    surface["edge_faces"] = np.zeros(6, np.uint32)
     stage.call("setMesh", {"cells": 3})
     stage.call("setStatus", {"camera": {**FRONT, "projection": "orthographic"}, "lighting": {"mode": "none"}})
     stage.call("setStatus", {"separation": {"line_opacity": 1, "line_width": 2}})

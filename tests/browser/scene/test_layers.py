@@ -21,6 +21,7 @@ def structure(lines: Any, valence: list[int], boundary: list[int]) -> dict[str, 
     paper = np.stack([ends[:, 0], ends[:, 1], ends[:, 1] + down, ends[:, 0] + down], axis=1)
     kinds = {"valence": np.array(valence, np.uint8), "boundary": np.array(boundary, np.uint8)}
     out = {"edges": ends.ravel(), "barbs": barbs.ravel(), "paper": paper.ravel(), **kinds}
+    out["ends_on_boundary"] = np.zeros(len(valence), np.uint8)
     for part in ("barb", "paper"):
         out |= {f"{part}_{name}": value for name, value in kinds.items()}
     return out
@@ -183,6 +184,38 @@ def test_S5_a_transparent_background_has_no_fringe(stage: Any) -> None:
     rim = (alpha > 40) & (alpha < 255)
     assert rim.any()
     assert picture[rim][:, 1].min() > 240, "the red background must not bleed into the rim"
+
+
+def test_S5_a_transparent_picture_over_any_colour_is_the_picture_on_that_colour(stage: Any) -> None:
+    shown = np.ones((3, 3, 3), bool)
+    shown[1:, :, 1:] = False
+    view = {**FRONT, "direction": [-0.5, -0.3, -0.8]}
+    lines = {"line_opacity": 0.4, "line_width": 3}
+    show(stage, shown, camera=view, separation=lines, silhouette=1, background="#5a9a5a")
+    stage.call("setSilhouette", {k: grid_surface(~shown)[k] for k in ("positions", "normals")})
+    stage.call("setIrregular", structure([[[-0.4, 0.2, 0.2], [0.4, -0.2, 0.2]]], [3], [0]))
+    stage.call("setStatus", {"irregular": {"mode": 2}})
+    clear = screenshot(stage, width=300, height=300, transparent=True).astype(float)
+    solid = screenshot(stage, width=300, height=300).astype(float)
+    cover = clear[..., 3:] / 255
+    over = clear[..., :3] * cover + np.array([0x5A, 0x9A, 0x5A]) * (1 - cover)
+    assert 0.1 < (cover == 1).mean() < 0.9 and ((cover > 0.05) & (cover < 0.95)).mean() > 0.02
+    assert np.abs(over - solid[..., :3]).max() <= 3
+
+
+def test_V4_a_wire_that_ends_on_the_boundary_does_not_dot_it(stage: Any) -> None:
+    dots = []
+    for ends in (0, 3):
+        show(stage, np.ones((1, 1, 1), bool), camera={**FRONT, "direction": [0.2, 0.1, -1]})
+        half = 0.5 / np.sqrt(3)
+        wires = [[[x, y, half], [x, y, -half]] for x in (-0.2, 0, 0.2) for y in (-0.2, 0, 0.2)]
+        record = structure(wires, [3] * 9, [0] * 9)
+        stage.call("setIrregular", {**record, "ends_on_boundary": np.full(9, ends, np.uint8)})
+        stage.call("setStatus", {"irregular": {"mode": 1}})
+        stage.settle()
+        picture = stage.picture().astype(int)
+        dots.append(int((np.ptp(picture[:210, :310], axis=2) > 12).sum()))
+    assert dots[0] > 2 and dots[1] == 0
 
 
 def test_S5_a_size_out_of_bounds_is_refused(stage: Any) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections import Counter
+from collections import Counter, defaultdict
 
 import numpy as np
 from numpy.typing import NDArray
@@ -44,6 +44,7 @@ def check_form(surface: Surface) -> None:
     assert surface.inside.shape == (count,)
     assert surface.faces.dtype == np.uint32 and surface.faces.shape == (len(rings),)
     assert surface.edges.dtype == np.float32 and surface.edge_cells.dtype == np.uint8
+    check_edge_faces(surface)
     assert np.isfinite(surface.positions).all() and np.isfinite(surface.edges).all()
     if surface.quads is not None:
         assert surface.quads.dtype == np.uint32
@@ -54,6 +55,21 @@ def check_form(surface: Surface) -> None:
     normals = surface.normals.reshape(-1, 4)
     assert (normals[:, 3] == 0).all()
     assert np.allclose(np.linalg.norm(normals[:, :3] / 32767, axis=1), 1, atol=1e-4)
+
+
+def check_edge_faces(surface: Surface) -> None:
+    """The two faces that are named at each edge have both its ends; they differ where two faces meet there."""
+    ends = surface.edges.reshape(-1, 2, 3).tolist()
+    beside = surface.edge_faces.reshape(-1, 2)
+    assert surface.edge_faces.dtype == np.uint32 and len(beside) == len(ends)
+    around: dict[frozenset[tuple[float, ...]], set[int]] = defaultdict(set)
+    points = surface.positions.reshape(-1, 3).tolist()
+    for face, ring in enumerate(rings_of(surface).tolist()):
+        for a, b in zip(ring, ring[1:] + ring[:1], strict=True):
+            around[frozenset((tuple(points[a]), tuple(points[b])))].add(face)
+    for pair, faces in zip(ends, beside.tolist(), strict=True):
+        meeting = around[frozenset(map(tuple, pair))]
+        assert set(faces) <= meeting and (len(set(faces)) == 2 or len(meeting) == 1)
 
 
 def check_closed(surface: Surface) -> None:

@@ -45,6 +45,12 @@ def check(mesh: Mesh) -> None:
     assert Counter(edges) == Counter(expected.keys())
     assert irregular.valence.tolist() == [len(truth.edge_cells[edge]) for edge in edges]
     assert irregular.boundary.tolist() == [int(edge in boundary) for edge in edges]
+    outer = set().union(*boundary)
+    ends = [
+        [place[tuple(point)] in outer for point in pair]
+        for pair in irregular.edges.reshape(-1, 2, 3).tolist()
+    ]
+    assert irregular.ends_on_boundary.tolist() == [first + 2 * second for first, second in ends]
     for flags in (irregular.boundary, irregular.barb_boundary, irregular.paper_boundary):
         assert (np.diff(flags.astype(int)) >= 0).all()
     check_flaps(drawing, place, expected, boundary)

@@ -28,9 +28,9 @@ export class Gizmo {
 
   constructor() {
     this.#lines.width = 1.75;
-    this.scene.add(this.#lines.mesh);
+    this.scene.add(this.#lines.group);
     this.scene.matrixWorldAutoUpdate = false;
-    this.#lines.mesh.visible = true;
+    this.#lines.group.visible = true;
   }
 
   /**

@@ -134,12 +134,12 @@ export class Painter {
     const wanted = [this.#backdropVersion, ...this.#background, ...view].join();
     if (wanted !== this.#behindOf) {
       this.#behindOf = wanted;
-      this.#begin(this.#behind, false);
+      this.#begin(this.#behind);
       for (const part of [this.model, this.ink, this.overlay]) part.visible = false;
       this.renderer.render(this.#scene, camera);
       for (const part of [this.model, this.ink, this.overlay]) part.visible = true;
     }
-    this.#begin(onto, false);
+    this.#begin(onto);
     copy(this.renderer, this.#behind, onto, size);
     this.backdrop.visible = false;
     this.renderer.render(this.#scene, camera);
@@ -152,25 +152,23 @@ export class Painter {
    *
    * @param {import("three").Camera} camera
    * @param {WebGLRenderTarget | null} target
-   * @param {{ transparent?: boolean, overlay?: boolean }} [options]
+   * @param {{ background?: string | null, overlay?: boolean }} [options] background: another than its own
    */
-  paint(camera, target, { transparent = false, overlay = true } = {}) {
-    this.#begin(target, transparent);
+  paint(camera, target, { background = null, overlay = true } = {}) {
+    this.#begin(target, background ? componentsOf(background) : this.#background);
     this.overlay.visible = overlay;
     this.renderer.render(this.#scene, camera);
   }
 
-  /** @param {WebGLRenderTarget | null} target @param {boolean} transparent */
-  #begin(target, transparent) {
+  /** @param {WebGLRenderTarget | null} target @param {[number, number, number]} [background] */
+  #begin(target, [r, g, b] = this.#background) {
     const { renderer } = this;
-    const [r, g, b] = this.#background;
     renderer.info.reset();
     renderer.setRenderTarget(target);
     renderer.setScissorTest(false);
     renderer.state.buffers.color.setMask(true);
     renderer.state.buffers.depth.setMask(true);
-    if (transparent) renderer.state.buffers.color.setClear(0, 0, 0, 0, false);
-    else renderer.state.buffers.color.setClear(r, g, b, 1, false);
+    renderer.state.buffers.color.setClear(r, g, b, 1, false);
     this.gl.clear(this.gl.COLOR_BUFFER_BIT | this.gl.DEPTH_BUFFER_BIT);
   }
 

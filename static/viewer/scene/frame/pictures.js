@@ -49,7 +49,7 @@ export class Pictures {
       width,
       height,
       transparent,
-      draw: (target, tile, scale) => {
+      draw: ({ target, tile, scale, background }) => {
         this.#view.aim(width / height, true);
         const { camera } = this.#view.rig;
         camera.setViewOffset(width * scale, height * scale, tile.x, tile.y, tile.width, tile.height);
@@ -60,7 +60,7 @@ export class Pictures {
           pixelRatio: pixelRatio * scale,
           draft: false,
         });
-        this.#painter.paint(camera, target, { transparent, overlay: false });
+        this.#painter.paint(camera, target, { background, overlay: false });
         camera.clearViewOffset();
         drawn();
       },

@@ -13,9 +13,10 @@ export const LARGEST = 8192;
  *
  * @param {import("./painter.js").Painter} painter
  * @param {{ width: number, height: number, transparent: boolean,
- *   draw: (target: WebGLRenderTarget, tile: Tile, scale: number) => void }} job
+ *   draw: (piece: Piece) => void }} job
  * @returns {Promise<Blob>} PNG
- * @typedef {{ x: number, y: number, width: number, height: number }} Tile
+ * @typedef {{ target: WebGLRenderTarget, tile: { x: number, y: number, width: number, height: number }, scale: number,
+ *   background: string | null }} Piece  background: null for that of the drawing
  */
 export async function takePicture(painter, { width, height, transparent, draw }) {
   if (!(width >= 1 && height >= 1 && width <= LARGEST && height <= LARGEST)) {
@@ -29,16 +30,19 @@ export async function takePicture(painter, { width, height, transparent, draw })
     samples: 4,
     generateMipmaps: false,
   });
-  const drawn = new Uint8Array(4 * side * side);
+  const backgrounds = transparent ? ["#000000", "#ffffff"] : [null];
+  const drawn = backgrounds.map(() => new Uint8Array(4 * side * side));
   const step = side / SCALE;
   try {
     for (let y = 0; y < height; y += step) {
       for (let x = 0; x < width; x += step) {
         const size = { width: Math.min(step, width - x), height: Math.min(step, height - y) };
         const tile = { x: x * SCALE, y: y * SCALE, width: side, height: side };
-        draw(target, tile, SCALE);
-        painter.renderer.readRenderTargetPixels(target, 0, 0, side, side, drawn);
-        reduce({ drawn, side }, pixels, { x, y, width }, size, transparent);
+        backgrounds.forEach((background, k) => {
+          draw({ target, tile, scale: SCALE, background });
+          painter.renderer.readRenderTargetPixels(target, 0, 0, side, side, drawn[k]);
+        });
+        reduce(drawn, side, pixels, { x, y, width }, size);
         await new Promise((resolve) => setTimeout(resolve));
       }
     }
@@ -50,30 +54,39 @@ export async function takePicture(painter, { width, height, transparent, draw })
 }
 
 /**
- * Averages blocks of drawn pixels into the picture, top row first, and divides by their cover.
+ * Averages blocks of drawn pixels into the picture, top row first. What was drawn on black and on white tells how much of the
+ * background shows: that is how transparent it is, whatever was blended how.
  *
- * @param {{ drawn: Uint8Array, side: number }} tile a square one, bottom row first
+ * @param {Uint8Array[]} drawn a square tile, bottom row first; on black and on white for a transparent picture
+ * @param {number} side of the tile
  * @param {Uint8ClampedArray} pixels the picture
  * @param {{ x: number, y: number, width: number }} at place of the tile, width of the picture
  * @param {{ width: number, height: number }} size of the tile in the picture
- * @param {boolean} transparent
  */
-function reduce({ drawn, side }, pixels, at, size, transparent) {
+function reduce([drawn, onWhite], side, pixels, at, size) {
   const share = 1 / (SCALE * SCALE);
   for (let j = 0; j < size.height; j++) {
     let to = 4 * ((at.y + j) * at.width + at.x);
     for (let i = 0; i < size.width; i++, to += 4) {
-      let [r, g, b, a] = [0, 0, 0, 0];
+      let [r, g, b, shows] = [0, 0, 0, 0];
       for (let n = 0; n < SCALE; n++) {
         let from = 4 * ((side - 1 - (j * SCALE + n)) * side + i * SCALE);
         for (let m = 0; m < SCALE; m++, from += 4) {
           r += drawn[from];
           g += drawn[from + 1];
           b += drawn[from + 2];
-          a += drawn[from + 3];
+          if (onWhite)
+            shows +=
+              (onWhite[from] -
+                drawn[from] +
+                onWhite[from + 1] -
+                drawn[from + 1] +
+                onWhite[from + 2] -
+                drawn[from + 2]) /
+              3;
         }
       }
-      const cover = transparent ? a * share : 255;
+      const cover = 255 - shows * share;
       const part = cover > 0 ? (share * 255) / cover : 0;
       pixels[to] = r * part;
       pixels[to + 1] = g * part;

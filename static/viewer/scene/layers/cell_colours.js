@@ -1,4 +1,5 @@
 import { DataTexture, FloatType, NearestFilter, RedFormat, RGBAFormat, UnsignedByteType } from "three";
+import { DARK, luminance } from "../../colours/luminance.js";
 import { paletteBytes } from "../../colours/palettes.js";
 import { CELL_COLUMNS } from "../../geometry/texel.js";
 
@@ -14,6 +15,8 @@ export class CellColours {
   values = oneTexel();
   /** @type {DataTexture} */
   palette;
+  /** Whether any colour of the map is dark. */
+  dark = true;
   #map = "";
 
   constructor() {
@@ -43,14 +46,23 @@ export class CellColours {
     const key = JSON.stringify([map, reading.reversed, reading.steps]);
     if (key === this.#map) return;
     this.#map = key;
-    /** @type {Uint8Array} */ (this.palette.image.data).set(paletteBytes(map, reading));
+    const bytes = paletteBytes(map, reading);
+    /** @type {Uint8Array} */ (this.palette.image.data).set(bytes);
     this.palette.needsUpdate = true;
+    this.dark = hasDark(bytes);
   }
 
   dispose() {
     this.values.dispose();
     this.palette.dispose();
   }
+}
+
+/** @param {Uint8Array} bytes of a palette */
+function hasDark(bytes) {
+  for (let k = 0; k < bytes.length; k += 4)
+    if (luminance([...bytes.subarray(k, k + 3)].map((byte) => byte / 255)) < DARK) return true;
+  return false;
 }
 
 /** @returns {DataTexture} */

@@ -14,7 +14,7 @@ export class HighlightLayer {
 
   constructor() {
     this.#rim.width = 2;
-    this.group.add(this.#fill.mesh, this.#rim.mesh);
+    this.group.add(this.#fill.mesh, this.#rim.group);
     this.group.visible = false;
   }
 
@@ -31,7 +31,7 @@ export class HighlightLayer {
     if (this.group.visible) {
       this.#fill.set(new Float32Array(triangles));
       this.#rim.set(new Float32Array(rim), null);
-      this.#rim.mesh.visible = true;
+      this.#rim.group.visible = true;
     }
     return true;
   }

@@ -1,6 +1,6 @@
 import { Group } from "three";
 import { around, boxOf } from "../../geometry/box.js";
-import { LinesLayer } from "./lines_layer.js";
+import { LinesLayer, SHORTENED } from "./lines_layer.js";
 import { PaperLayer } from "./paper_layer.js";
 import { VALENCE_STYLES, valenceStyle } from "../../colours/valence.js";
 
@@ -17,6 +17,9 @@ const STEPS = [
   { wires: [0, 0], barbs: [0, 0], paper: [1, 0] },
   { wires: [0, 0], barbs: [0, 0], paper: [1, 0.3] },
 ];
+
+/** What shortens a wire whose first, second, or both ends lie on the boundary. */
+const DIVES = [0, SHORTENED[0], SHORTENED[1], SHORTENED[0] + SHORTENED[1]];
 
 const INK = [{ colour: "#000000", ink: 1 }];
 
@@ -45,6 +48,7 @@ const NOTHING = {
   edges: new Float32Array(0),
   valence: new Uint8Array(0),
   boundary: new Uint8Array(0),
+  ends_on_boundary: new Uint8Array(0),
   barbs: new Float32Array(0),
   barb_valence: new Uint8Array(0),
   barb_boundary: new Uint8Array(0),
@@ -75,7 +79,7 @@ export class IrregularLayer {
 
   constructor() {
     const layers = [this.#paper, this.#folds, this.#barbs, this.#wires];
-    for (const through of [1, 0]) for (const layer of layers) this.group.add(layer[through].mesh);
+    for (const through of [1, 0]) for (const layer of layers) this.group.add(drawn(layer[through]));
     // Not pulled: ends that dive into the surface would show as dots.
     for (const lines of [...this.#wires, ...this.#barbs, ...this.#folds]) lines.pull = 0;
   }
@@ -101,6 +105,7 @@ export class IrregularLayer {
       edges,
       valence,
       boundary,
+      ends_on_boundary,
       barbs,
       barb_valence,
       barb_boundary,
@@ -111,7 +116,9 @@ export class IrregularLayer {
     const wires = part(edges, valence, rows(boundary));
     const thorns = part(barbs, barb_valence, rows(barb_boundary));
     const flaps = part(paper, paper_valence, rows(paper_boundary));
-    for (const lines of [...this.#wires, ...this.#folds]) lines.set(wires.ends, wires.styles);
+    // Ends of wires that dive into the body's boundary would dot it; those that lie on it have no ends there.
+    const dives = wires.styles.map((style, k) => style + (boundary[k] ? 0 : DIVES[ends_on_boundary[k]]));
+    for (const lines of [...this.#wires, ...this.#folds]) lines.set(wires.ends, dives);
     for (const lines of this.#barbs) lines.set(thorns.ends, thorns.styles);
     for (const layer of this.#paper) layer.set(flaps.ends, flaps.styles);
     this.#show();
@@ -189,6 +196,11 @@ function styles(part, palette) {
 
 /** @param {LinesLayer | PaperLayer} layer @param {number} opacity */
 function show(layer, opacity) {
-  layer.mesh.visible = opacity > 0 && layer.count > 0;
+  drawn(layer).visible = opacity > 0 && layer.count > 0;
   layer.opacity = opacity;
+}
+
+/** @param {LinesLayer | PaperLayer} layer */
+function drawn(layer) {
+  return layer instanceof LinesLayer ? layer.group : layer.mesh;
 }

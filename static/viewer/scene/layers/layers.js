@@ -4,7 +4,7 @@ import { CellColours } from "./cell_colours.js";
 import { Gizmo } from "../camera/gizmo.js";
 import { HighlightLayer } from "./highlight_layer.js";
 import { IrregularLayer } from "./irregular_layer.js";
-import { LinesLayer } from "./lines_layer.js";
+import { INSIDE, LinesLayer } from "./lines_layer.js";
 import { fading } from "./lines_shader.js";
 import { OutlineLayer } from "./outline_layer.js";
 import { PlaneLayer } from "./plane_layer.js";
@@ -36,7 +36,7 @@ const LOOKS = /** @type {const} */ ([
 export class Layers {
   colours = new CellColours();
   surface = new SurfaceLayer(this.colours);
-  edges = new LinesLayer(EDGE_STYLES, { fade: true });
+  edges = new LinesLayer(EDGE_STYLES, { fade: true, toned: this.surface.uniforms });
   silhouette = new SilhouetteLayer();
   irregular = new IrregularLayer();
   plane = new PlaneLayer();
@@ -56,7 +56,7 @@ export class Layers {
     this.#painter = painter;
     painter.backdrop.add(this.silhouette.group);
     painter.model.add(this.surface.mesh);
-    painter.ink.add(this.edges.mesh, this.irregular.group);
+    painter.ink.add(this.edges.group, this.irregular.group);
     painter.overlay.add(this.plane.group, this.highlight.group, this.outline.group);
   }
 
@@ -102,6 +102,7 @@ export class Layers {
       this.surface.setColour(colour);
       if (colour.by && colour.by in CATEGORIES) this.colours.setMap(colour.by);
       else if (colour.map) this.colours.setMap(colour.map, colour);
+      this.edges.darkBelow = this.surface.dark;
     }
     if (separation?.line_opacity !== undefined) this.edges.opacity = separation.line_opacity;
     if (separation?.line_width !== undefined) this.edges.width = separation.line_width;
@@ -145,10 +146,14 @@ export class Layers {
     const { surface } = this.surface;
     const edged = this.edgeCount > 0;
     if (!view.draft && !this.#edged) {
-      this.edges.set(surface?.edges ?? NO_EDGES, surface?.edge_cells ?? null);
+      this.edges.set(
+        surface?.edges ?? NO_EDGES,
+        surface?.edge_cells.length ? surface.edge_cells.map(darkness) : null,
+        surface && under(surface),
+      );
       this.#edged = true;
     }
-    this.edges.mesh.visible = edged && !view.draft;
+    this.edges.group.visible = edged && !view.draft;
     this.surface.setDraft(view.draft, this.#draftInk(view));
     this.surface.fronts = this.outward && view.outside;
     this.silhouette.draft = view.draft;
@@ -180,4 +185,23 @@ export class Layers {
     for (const layer of [surface, edges, silhouette, irregular, plane, highlight, outline, gizmo, colours])
       layer.dispose();
   }
+}
+
+/** Row of the styles by the number of shown cells around an edge. @param {number} cells */
+function darkness(cells) {
+  return Math.min(cells, EDGE_STYLES.length - 1);
+}
+
+/**
+ * What lies under each edge: the cells of both its faces, and whether filters expose them.
+ *
+ * @param {import("../../geometry/records.js").Surface} surface
+ */
+function under({ edge_faces, faces, inside }) {
+  const sides = new Uint32Array(edge_faces.length);
+  for (let k = 0; k < sides.length; k++) {
+    const face = edge_faces[k];
+    sides[k] = (faces[face] >>> 3) + (inside[4 * face] ? INSIDE : 0);
+  }
+  return sides;
 }

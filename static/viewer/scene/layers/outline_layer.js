@@ -18,7 +18,7 @@ export class OutlineLayer {
     this.#seen.width = 2.5;
     this.#through.width = 2;
     this.#through.opacity = 0.6;
-    this.group.add(this.#through.mesh, this.#seen.mesh);
+    this.group.add(this.#through.group, this.#seen.group);
     this.set(null);
   }
 
@@ -27,7 +27,7 @@ export class OutlineLayer {
     this.box = ends && boxOf(ends);
     for (const lines of [this.#through, this.#seen]) {
       lines.set(ends ?? new Float32Array(0), null);
-      lines.mesh.visible = ends !== null && ends.length > 0;
+      lines.group.visible = ends !== null && ends.length > 0;
     }
   }
 

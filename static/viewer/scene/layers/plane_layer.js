@@ -14,7 +14,7 @@ export class PlaneLayer {
   #rim = new LinesLayer([{ colour: "#0b6e74", ink: 0.7 }]);
 
   constructor() {
-    this.group.add(this.#square.mesh, this.#rim.mesh);
+    this.group.add(this.#square.mesh, this.#rim.group);
     this.group.visible = false;
   }
 
@@ -49,7 +49,7 @@ export class PlaneLayer {
     this.#square.set(new Float32Array([a, b, c, a, c, d].flat()));
     this.box = boxOf([a, b, c, d].flat());
     this.#rim.set(new Float32Array([a, b, b, c, c, d, d, a].flat()), null);
-    this.#rim.mesh.visible = true;
+    this.#rim.group.visible = true;
   }
 
   /** @param {Parameters<LinesLayer["view"]>[0]} view */

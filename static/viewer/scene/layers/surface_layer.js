@@ -18,6 +18,7 @@ import { boxOf } from "../../geometry/box.js";
 import { meanSide } from "../../geometry/mean_side.js";
 import { componentsOf } from "../../colours/components.js";
 import { DRAFT_FRAGMENT, DRAFT_VERTEX } from "./draft_shader.js";
+import { DARK, luminance } from "../../colours/luminance.js";
 import { CATEGORIES, NOT_FINITE } from "../../colours/palettes.js";
 import { flatQuadIndex, quadIndex } from "../../geometry/quad_index.js";
 import { SURFACE_FRAGMENT, SURFACE_VERTEX } from "./surface_shader.js";
@@ -41,6 +42,7 @@ export class SurfaceLayer {
   /** Colours of values beyond the map's range. */
   #ends = { above: NOT_FINITE, below: NOT_FINITE };
   #highFirst = false;
+  #colours;
   #whole;
   #draft;
   #white;
@@ -48,6 +50,7 @@ export class SurfaceLayer {
 
   /** @param {import("./cell_colours.js").CellColours} colours */
   constructor(colours) {
+    this.#colours = colours;
     this.#white = new DataTexture(new Uint8Array([255]), 1, 1, RedFormat);
     this.#white.needsUpdate = true;
     this.#open = new DataTexture(new Uint32Array(2), 1, 1, RGIntegerFormat, UnsignedIntType);
@@ -164,6 +167,19 @@ export class SurfaceLayer {
     this.#showEnds();
     if (colour.outside) this.uniforms.outsideColour.value.set(...componentsOf(colour.outside));
     if (colour.inside) this.uniforms.insideColour.value.set(...componentsOf(colour.inside));
+  }
+
+  /** Whether any colour that a cell may have is dark. */
+  get dark() {
+    const { byCell, beyond, outsideColour, insideColour, missingColour, firstBeyond, lastBeyond } =
+      this.uniforms;
+    const sides = [outsideColour, insideColour];
+    const singles = byCell.value
+      ? [missingColour, ...(beyond.value ? [firstBeyond, lastBeyond] : [])]
+      : sides;
+    return (
+      (byCell.value && this.#colours.dark) || singles.some(({ value }) => luminance(value.toArray()) < DARK)
+    );
   }
 
   /** Whether the map's first colour is that of high values. @param {boolean} highFirst */

@@ -1,4 +1,5 @@
-import { CELL_TEXEL, VERTEX_TEXEL } from "../../geometry/texel.js";
+import { VERTEX_TEXEL } from "../../geometry/texel.js";
+import { COLOUR_INPUTS, COLOUR_OF } from "./colour_shader.js";
 
 /** GLSL: what the surface's vertices hold, and what colours them. */
 export const SURFACE_INPUTS = `
@@ -15,17 +16,7 @@ in float inside;
 uniform mat4 modelViewMatrix;
 uniform mat4 projectionMatrix;
 uniform mat3 normalMatrix;
-uniform bool byCell;
-uniform vec3 outsideColour;
-uniform vec3 insideColour;
-uniform vec3 missingColour;
-uniform bool beyond;
-uniform vec3 firstBeyond;
-uniform vec3 lastBeyond;
-uniform sampler2D cellValues;
-uniform sampler2D palette;
-uniform float paletteScale;
-uniform usampler2D occlusion;
+${COLOUR_INPUTS}uniform usampler2D occlusion;
 uniform float occlusionShare;
 `;
 
@@ -41,18 +32,8 @@ float headlight(float facing) {
 
 /** GLSL: a vertex's colour before light, and how open it is to light. */
 export const SURFACE_COLOUR = `
-${CELL_TEXEL}
+${COLOUR_OF}
 ${VERTEX_TEXEL}
-
-vec3 colourOf(uint cell, float inside) {
-  if (!byCell) return mix(outsideColour, insideColour, inside);
-  float value = texelFetch(cellValues, cellTexel(cell), 0).r;
-  int entry = int(clamp(value * paletteScale + 0.5, 0.0, 255.0));
-  if (value < -1.0) return missingColour;
-  if (beyond && value < 0.0) return firstBeyond;
-  if (beyond && value > 1.0) return lastBeyond;
-  return texelFetch(palette, ivec2(entry, 0), 0).rgb;
-}
 
 float openness(int vertex) {
   uvec4 sums = texelFetch(occlusion, vertexTexel(vertex), 0);

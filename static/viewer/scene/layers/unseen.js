@@ -13,4 +13,5 @@ export const UNSEEN = {
   faces: new Uint32Array(1),
   edges: new Float32Array([0, 0, 9, 1, 0, 9]),
   edge_cells: new Uint8Array(0),
+  edge_faces: new Uint32Array(2),
 };
