@@ -28,6 +28,7 @@ FIGURES = {
     "separation": Recipe("structures/octree", setting=ROUNDED | WHOLE),
     "colour": Recipe(WIDE_RANGE, {"colour": {"by": "quality", "map": "viridis", "range": [0.5, 1]}}, ROUNDED),
     "silhouette": Recipe("shapes/gear", {"silhouette": 1}, ROUNDED),
+    "see-through": Recipe("shapes/nozzle", {"see_through": {"cells": "cut", "opacity": 0.2}}, ROUNDED),
     "irregular": Recipe(PADDED, {"irregular": {"mode": 6}}, offset=0.55),
     "lighting": Recipe(LATTICE, setting={"separation": {"mode": "fissure", "gap": 0.15}}),
     "histogram": Recipe(NOISY, setting=BY_QUALITY, part="#section-quality"),

@@ -70,18 +70,29 @@ class FilterStack:
         A section that is missing hides nothing. The array is the caller's.
         """
         hidden = self._cut(filters)
-        bands = _bands(filters.get("quality", {}))
-        if bands:
-            hidden = hidden | self._kept("quality", bands, lambda: self._outside(bands))
-        parts = _parts(filters.get("parts", {}))
-        if parts:
-            hidden = hidden | self._kept("parts", parts, lambda: self._in_hidden_parts(*parts))
-        picking = filters.get("picking", {})
-        if picking.get("enabled", True):
-            isolated, dug, undug = (picking.get(name, ()) for name in ("isolated", "hidden", "shown"))
-            if isolated or len(dug) or len(undug):
-                hidden = pick(hidden, bool(isolated), self._dug.of(dug), self._undug.of(undug))
-        return ~hidden
+        for others in (self._by_quality(filters), self._by_parts(filters)):
+            if others is not None:
+                hidden = hidden | others
+        return ~self._picked(hidden, filters)
+
+    def hidden_by(self, group: str, filters: Settings) -> Hidden:
+        """Which cells some of the filters would hide by themselves, (C,) bool.
+
+        Parameters
+        ----------
+        group : str
+            "cut" (planes and peel, regularised), "quality", "parts", "picking".
+        filters : dict
+            As `apply` takes them.
+        """
+        none = np.zeros(self._mesh.cell_count, dtype=bool)
+        made = {
+            "cut": lambda: self._cut(filters),
+            "quality": lambda: self._by_quality(filters),
+            "parts": lambda: self._by_parts(filters),
+            "picking": lambda: self._picked(none, filters),
+        }[group]()
+        return none if made is None else made
 
     def places(self, normal: Any, rule: str = "barycentre") -> Places:
         """Where the cells stand along a normal, and the ends of its slider, in the mesh's own unit.
@@ -103,6 +114,24 @@ class FilterStack:
                 self._places.popitem(last=False)
         self._places.move_to_end(key)
         return self._places[key]
+
+    def _by_quality(self, filters: Settings) -> Hidden | None:
+        bands = _bands(filters.get("quality", {}))
+        return self._kept("quality", bands, lambda: self._outside(bands)) if bands else None
+
+    def _by_parts(self, filters: Settings) -> Hidden | None:
+        parts = _parts(filters.get("parts", {}))
+        return self._kept("parts", parts, lambda: self._in_hidden_parts(*parts)) if parts else None
+
+    def _picked(self, hidden: Hidden, filters: Settings) -> Hidden:
+        """What is hidden, and then what was hidden or shown by hand."""
+        picking = filters.get("picking", {})
+        if not picking.get("enabled", True):
+            return hidden
+        isolated, dug, undug = (picking.get(name, ()) for name in ("isolated", "hidden", "shown"))
+        if not (isolated or len(dug) or len(undug)):
+            return hidden
+        return pick(hidden, bool(isolated), self._dug.of(dug), self._undug.of(undug))
 
     def _cut(self, filters: Settings) -> Hidden:
         """What planes and peel hide, regularised; not to be changed by the caller."""

@@ -162,8 +162,8 @@ class Session:
             A part of the settings that concern the core, which has been checked where it entered; lists are kept, and
             known again by their identity, so that the caller doesn't change them.
         lean : bool
-            Leave out edges and silhouette, as for drafts while something moves; the next update that is not
-            lean brings them.
+            Leave out edges, silhouette and what is seen through, as for drafts while something moves; the next
+            update that is not lean brings them.
         whole : bool
             Return every record: the last answer got lost on its way, or could not be drawn.
 
@@ -172,8 +172,8 @@ class Session:
         dict
             `shown_cells`, `shown_faces`, `max_depth` (None until it is known), `plane_ranges` (extent of the
             barycentres along each plane's normal, in drawing coordinates), `pending` (records that wait for
-            `describe`), `timings` (ms), and of the records `surface`, `silhouette`, `irregular`, `colour` those that
-            changed.
+            `describe`), `timings` (ms), and of the records `surface`, `silhouette`, `see_through`, `irregular`,
+            `colour` those that changed.
 
         Raises
         ------
@@ -223,7 +223,11 @@ class Session:
             **opened.placed,
         }
         shown = {"shown_cells": int(np.count_nonzero(picture.shown)), "shown_faces": picture.shown_faces()}
-        names = [name for name in ("surface", "silhouette", "irregular", "colour") if name in records]
+        names = [
+            name
+            for name in ("surface", "silhouette", "see_through", "irregular", "colour")
+            if name in records
+        ]
         return pack({"summary": summary, **shown, **{name: records[name] for name in names}})
 
     # -- quality

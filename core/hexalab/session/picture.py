@@ -51,8 +51,8 @@ class Picture:
 
         The settings are those that concern the core (`hexalab.status.CORE_PATHS`), all of them.
 
-        A lean update leaves out what a draft does without, edges and silhouette; the next one that is not
-        brings them.
+        A lean update leaves out what a draft does without, edges, silhouette and what is seen through; the next
+        one that is not brings them.
         """
         self.timings = {}
         self._filter(settings["filters"])
@@ -63,6 +63,10 @@ class Picture:
         self._renew(parts, "surface", surface, self._extract_surface, separation, edges)
         if settings["silhouette"] > 0 and not lean:
             self._renew(parts, "silhouette", self._version, self._extract_silhouette)
+        cells = settings["see_through"]["cells"]
+        if cells != "none" and not lean:
+            seen = (self._version, self._filters if cells != "all" else None, cells)
+            self._renew(parts, "see_through", seen, self._extract_see_through, cells)
         irregular, pending = self._irregular_parts(settings["irregular"])
         if irregular is not None and not pending:
             self._renew(parts, "irregular", irregular, self._extract_irregular, *irregular)
@@ -129,6 +133,12 @@ class Picture:
 
     def _extract_silhouette(self) -> dict[str, Any]:
         return extract_silhouette(self.opened.drawn_mesh, self.shown).arrays()
+
+    def _extract_see_through(self, cells: str) -> dict[str, Any]:
+        hidden = ~self.shown
+        if cells != "all":
+            hidden &= self.opened.filters.hidden_by(cells, self._filters or {})
+        return extract_surface(self.opened.drawn_mesh, hidden, "lines").arrays()
 
     def _irregular_parts(self, irregular: Settings) -> tuple[tuple[bool, bool] | None, bool]:
         """Which parts the mode draws, None for none; and whether they have to wait for the edges."""

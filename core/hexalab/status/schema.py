@@ -255,6 +255,21 @@ SCHEMA: Schema = {
         silhouette=core(
             {**UNIT, "default": 1, "description": "Of what is hidden: 0 none, 0.5 flat, 1 shaded"}
         ),
+        see_through=section(
+            "Hidden cells drawn before what is shown, so that it is seen through them.",
+            cells=core(
+                choice(
+                    "none",
+                    "all",
+                    "cut",
+                    "quality",
+                    "parts",
+                    "picking",
+                    description="Which: all that are hidden, or those that some filters hide (cut: slice and peel)",
+                )
+            ),
+            opacity={**UNIT, "default": 0.2},
+        ),
         irregular=section(
             "Edges of irregular valence.",
             mode=core(

@@ -120,6 +120,7 @@ export class Drawing {
     const began = performance.now();
     if (answer.surface) scene.setSurface(answer.surface, same);
     if (answer.silhouette) scene.setSilhouette(answer.silhouette);
+    if (answer.see_through) scene.setSeeThrough(answer.see_through);
     if (answer.irregular) scene.setIrregular(answer.irregular);
     if (answer.colour !== undefined)
       scene.setCellColours(answer.colour?.map_position ?? null, answer.colour?.high_first ?? false);

@@ -16,6 +16,7 @@ export class BlankScene {
   setMesh() {}
   setSurface() {}
   setSilhouette() {}
+  setSeeThrough() {}
   setIrregular() {}
   setCellColours() {}
   setStatus() {}

@@ -10,6 +10,12 @@ const viewButton = (name, text, key) => ({
   press: ({ store }) => store.set({ camera: VIEWS[name] }),
 });
 
+/** @param {import("../widgets/bind.js").Context} known */
+function nothingHidden({ facts }) {
+  const shown = facts.get("shown")?.cells;
+  return shown !== undefined && shown === facts.get("summary")?.cells ? "nothing is hidden" : "";
+}
+
 /** Whether another mesh keeps the view. */
 const KEEPING = [
   { value: "changed", name: "keeps a view that was changed" },
@@ -50,10 +56,28 @@ export const surroundings = {
       facts: ["shown", "summary"],
       range: [0, 1, 0.05],
       digits: 2,
-      why: ({ facts }) => {
-        const shown = facts.get("shown")?.cells;
-        return shown !== undefined && shown === facts.get("summary")?.cells ? "nothing is hidden" : "";
-      },
+      why: nothingHidden,
+    },
+    {
+      kind: "choice",
+      id: "see-through",
+      label: "See through",
+      hint: "Hidden cells drawn faintly before what is shown",
+      path: "see_through.cells",
+      options: optionsOf("see_through.cells"),
+    },
+    {
+      kind: "slider",
+      id: "see-through-opacity",
+      label: "Opacity",
+      hint: "Of the cells that are seen through",
+      path: "see_through.opacity",
+      status: ["see_through.cells"],
+      facts: ["shown", "summary"],
+      range: [0, 1, 0.05],
+      digits: 2,
+      hidden: ({ store }) => store.status.see_through.cells === "none",
+      why: nothingHidden,
     },
     {
       kind: "colours",

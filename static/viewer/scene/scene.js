@@ -132,6 +132,7 @@ export class Scene {
     this.#layers.outward = false;
     this.setSurface(null);
     this.setSilhouette(null);
+    this.setSeeThrough(null);
     this.setIrregular(null);
     this.setCellColours(null);
     this.mark(null);
@@ -163,6 +164,13 @@ export class Scene {
   /** @param {import("../geometry/records.js").Silhouette | null} silhouette */
   setSilhouette(silhouette) {
     this.#layers.setSilhouette(silhouette);
+    this.#enclose();
+    this.#loop.invalidate();
+  }
+
+  /** @param {import("../geometry/records.js").Surface | null} surface of hidden cells, four by four */
+  setSeeThrough(surface) {
+    this.#layers.seeThrough.set(surface);
     this.#enclose();
     this.#loop.invalidate();
   }

@@ -43,6 +43,7 @@
  * @property {(mesh: import("../geometry/records.js").MeshFrame) => void} setMesh
  * @property {(surface: import("../geometry/records.js").Surface | null, same?: boolean) => void} setSurface
  * @property {(silhouette: import("../geometry/records.js").Silhouette | null) => void} setSilhouette
+ * @property {(surface: import("../geometry/records.js").Surface | null) => void} setSeeThrough of hidden cells
  * @property {(irregular: import("../geometry/records.js").Irregular | null) => void} setIrregular
  * @property {(positions: Float32Array | null, highFirst?: boolean) => void} setCellColours in the colour map, one per cell; whether its first
  *   colour is that of high values

@@ -76,6 +76,7 @@
  * @property {Record<string, number>} timings milliseconds
  * @property {Surface} [surface]
  * @property {Silhouette} [silhouette]
+ * @property {Surface} [see_through] of hidden cells
  * @property {Irregular} [irregular]
  * @property {Colour | null} [colour] null for sides
  *
@@ -98,6 +99,7 @@
  * @property {number} shown_faces
  * @property {Surface} surface
  * @property {Silhouette} [silhouette]
+ * @property {Surface} [see_through] of hidden cells
  * @property {Irregular} [irregular]
  * @property {Colour | null} colour
  *

@@ -30,6 +30,14 @@ const NAMES = {
     part: "Part",
   },
   "colour.map": { parula: "Parula", viridis: "Viridis", jet: "Jet", red_blue: "Red-Blue" },
+  "see_through.cells": {
+    none: "nothing",
+    all: "all that is hidden",
+    cut: "what slice and peel hide",
+    quality: "what the quality filter hides",
+    parts: "hidden parts",
+    picking: "what was hidden by hand",
+  },
   "irregular.palette": { standard: "standard", colour_blind: "for colour-blind eyes" },
   "lighting.mode": {
     object_space_ao: "AO, best",

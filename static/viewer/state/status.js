@@ -81,6 +81,10 @@
  *     readonly range: readonly [number, number] | null,
  *   },
  *   readonly silhouette: number,
+ *   readonly see_through: {
+ *     readonly cells: "none" | "all" | "cut" | "quality" | "parts" | "picking",
+ *     readonly opacity: number,
+ *   },
  *   readonly irregular: {
  *     readonly mode: number,
  *     readonly boundary: boolean,
@@ -146,6 +150,7 @@
  *   "separation.mode": Status["separation"]["mode"],
  *   "colour.by": Status["colour"]["by"],
  *   "colour.map": Status["colour"]["map"],
+ *   "see_through.cells": Status["see_through"]["cells"],
  *   "irregular.palette": Status["irregular"]["palette"],
  *   "lighting.mode": Status["lighting"]["mode"],
  *   "histogram.orientation": Status["histogram"]["orientation"],

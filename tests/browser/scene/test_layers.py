@@ -10,7 +10,7 @@ import numpy as np
 from PIL import Image
 
 from .grids import grid_surface
-from .test_drawing import FRONT, NO_LINES, show
+from .test_drawing import FRONT, NO_LINES, at, scale, show
 
 
 def structure(lines: Any, valence: list[int], boundary: list[int]) -> dict[str, Any]:
@@ -63,6 +63,35 @@ def test_V3_the_silhouette_never_covers_the_model(stage: Any) -> None:
     model = np.all(before == [255, 0x88, 0], axis=2)
     assert model.sum() > 3000
     assert np.array_equal(stage.picture()[model], before[model])
+
+
+def test_V3_the_model_is_seen_through_hidden_cells_before_it_alone(stage: Any) -> None:
+    shown = np.ones((3, 3, 3), bool)
+    shown[:, :, 1:] = False
+    view = {**FRONT, "projection": "orthographic"}
+    colours = {"by": "sides", "outside": "#204080", "inside": "#ffff00"}
+    plain = {"camera": view, "colour": colours, "silhouette": 0, "lighting": {"mode": "none", "shade": 0}}
+    show(stage, shown, **plain)
+    stage.call("setSeeThrough", grid_surface(~shown))
+    pictures = []
+    for cells, opacity in (("none", 0.5), ("cut", 0.5), ("cut", 1), ("cut", 0)):
+        stage.call("setStatus", {"see_through": {"cells": cells, "opacity": opacity}})
+        stage.settle()
+        pictures.append(stage.picture().astype(int))
+    place = (0.05, 0.05, 0)
+    none, half, whole, zero = (np.array(at(picture, place, scale(300))) for picture in pictures)
+    assert none.tolist() == zero.tolist() == [255, 255, 0] and whole.tolist() == [0x20, 0x40, 0x80]
+    assert np.abs(half - (none + whole) / 2).max() <= 1
+    stage.call("setStatus", {"camera": {**view, "direction": [0, 0, 1]}, "see_through": {"opacity": 1}})
+    stage.settle()
+    behind = stage.picture().astype(int)
+    assert at(behind, place, scale(300)) == [0x20, 0x40, 0x80], (
+        "the model's own side covers what lies behind it"
+    )
+    stage.call("setSeeThrough", None)
+    stage.settle()
+    middle = slice(110, 190), slice(160, 240)
+    assert np.array_equal(stage.picture()[middle], behind[middle])
 
 
 def test_V4_seven_steps_show_what_they_say(stage: Any) -> None:

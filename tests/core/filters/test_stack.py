@@ -106,6 +106,23 @@ def test_F6_the_stack_equals_the_filters_one_by_one_in_any_sequence(sequence: li
         shown[:] = False
 
 
+@given(sections)
+@settings(max_examples=60, deadline=None)
+def test_V3_what_some_filters_hide_by_themselves(filters: dict[str, Any]) -> None:
+    stack = FilterStack(MESH, VALUES.__getitem__)
+    stack.apply(filters)
+    groups = {
+        "cut": ("planes", "peel", "regularisation"),
+        "quality": ("quality",),
+        "picking": ("picking",),
+    }
+    for group, names in groups.items():
+        alone = {**DEFAULTS["filters"], **{name: filters[name] for name in names}}
+        assert (~stack.hidden_by(group, filters)).tolist() == by_hand(MESH, alone)
+    assert not stack.hidden_by("parts", filters).any()
+    assert stack.hidden_by("parts", {"parts": {"hidden": [0]}}).all()
+
+
 def test_F6_nothing_is_hidden_by_defaults_or_by_nothing() -> None:
     stack = FilterStack(MESH, VALUES.__getitem__)
     assert stack.apply(DEFAULTS["filters"]).all()

@@ -51,6 +51,24 @@ def test_P2_what_a_lean_update_leaves_out_comes_with_the_next(
     assert set(block.update(half)) & RECORDS == set()
 
 
+def test_V3_hidden_cells_that_are_seen_through_are_those_that_were_chosen(block: Session) -> None:
+    half = {
+        "planes": {"items": [{"normal": [1, 0, 0], "offset": 0.5}]},
+        "picking": {"hidden": [3], "shown": [0]},
+    }
+    cells = lambda update: sorted(set(update["see_through"]["cells"].tolist()))  # noqa: E731
+    every = block.update({"filters": half, "see_through": {"cells": "all"}})
+    hidden = [cell for cell in range(64) if cell not in shown_of(every)]
+    assert cells(every) == hidden and 3 in hidden and 0 not in hidden
+    assert len(every["see_through"]["edges"]) > 0
+    cut = block.update({"see_through": {"cells": "cut"}})
+    assert set(cut) & RECORDS == {"see_through"} and cells(cut) == [cell for cell in hidden if cell % 4 < 2]
+    assert cells(block.update({"see_through": {"cells": "picking"}})) == [3]
+    assert "see_through" not in block.update({"filters": {"peel": {"depth": 1}}}, lean=True)
+    assert cells(block.update()) == [3]
+    assert set(block.update({"see_through": {"cells": "none"}})) & RECORDS == set()
+
+
 def test_V4_irregular_structure_comes_after_the_description(block: Session) -> None:
     block.update(ALL)
     block.describe()

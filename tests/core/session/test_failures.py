@@ -19,12 +19,14 @@ from tests.core.session.checks import RECORDS
 HALF = {
     "filters": {"planes": {"items": [{"enabled": True, "normal": [1, 0, 0], "offset": 0.5}]}},
     "colour": {"by": "quality"},
+    "see_through": {"cells": "cut"},
     "irregular": {"mode": 3},
 }
 STEPS = {
     "the filters": (FilterStack, "apply"),
     "the surface": (picture, "extract_surface"),
     "the silhouette": (picture, "extract_silhouette"),
+    "what is seen through": (FilterStack, "hidden_by"),
     "the irregular structure": (Opened, "irregular"),
     "the colours": (Opened, "map_positions"),
     "the count of faces": (Topology, "interface"),

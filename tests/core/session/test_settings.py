@@ -46,7 +46,7 @@ def test_A1_settings_told_one_by_one_draw_what_they_draw_together(
     afresh = Session()
     afresh.open("block.mesh", grid(4, 4, 4))
     whole = afresh.update(together)
-    for record in RECORDS - {"irregular"}:
+    for record in RECORDS - {"irregular", "see_through"}:
         for name, value in whole[record].items():
             assert np.array_equal(kept[record][name], value), (record, name)
 
@@ -54,9 +54,10 @@ def test_A1_settings_told_one_by_one_draw_what_they_draw_together(
 def test_A1_what_concerns_the_core_stands_in_the_schema_and_nothing_else_is_kept(block: Session) -> None:
     assert set(CORE_PATHS) == {
         "filters", "separation.mode", "separation.gap", "separation.radius", "colour.by", "colour.metric",
-        "colour.attribute", "colour.range", "silhouette", "irregular.mode",
+        "colour.attribute", "colour.range", "silhouette", "see_through.cells",
+        "irregular.mode",
     }  # fmt: skip
-    assert set(ALL) == {"filters", "separation", "colour", "silhouette", "irregular"}
+    assert set(ALL) == {"filters", "separation", "colour", "silhouette", "see_through", "irregular"}
     assert set(ALL["colour"]) == {"by", "metric", "attribute", "range"}
 
 

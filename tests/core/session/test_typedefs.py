@@ -57,7 +57,12 @@ def answers(attributed: bytes, infinite: bytes) -> Iterator[tuple[str, Any]]:
     for part in DESCRIBED:
         yield "describe", core.ask("describe", part)
     cut = {"planes": {**DEFAULTS["filters"]["planes"], "items": [{**PLANE, "offset": 0.5}, PLANE]}}
-    yield "update", core.ask("update", {"filters": cut, "separation": {"mode": "rounded"}})
+    yield (
+        "update",
+        core.ask(
+            "update", {"filters": cut, "separation": {"mode": "rounded"}, "see_through": {"cells": "cut"}}
+        ),
+    )
     for by in ("attribute", "kind", "sides"):
         yield "update", core.ask("update", {"colour": {"by": by, "attribute": "cell:load"}})
     yield "check", core.ask("check", {"filters": {"peel": {"depth": -1}}})
@@ -121,8 +126,8 @@ def test_A1_the_typedefs_of_answers_are_what_a_session_answers(attributed: bytes
     preview = Session()
     preview.open("grid.vtk", attributed)
     assert shapes.wrong(unpack(preview.preview()), "Preview") == []
-    plain = {"silhouette": 0, "irregular": {"mode": 0}}
-    assert shapes.wrong(unpack(preview.preview(plain)), "Preview") == []
+    for other in ({"silhouette": 0, "irregular": {"mode": 0}}, {"see_through": {"cells": "all"}}):
+        assert shapes.wrong(unpack(preview.preview(other)), "Preview") == []
     assert asked == set(METHODS)
     never = {
         f"{name}.{one}"

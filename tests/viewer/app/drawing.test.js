@@ -36,6 +36,7 @@ function parts() {
       heard[name] = listener;
     },
     setSilhouette: note("silhouette"),
+    setSeeThrough: note("see_through"),
     setIrregular: note("irregular"),
     setCellColours: note("colours"),
     showPlane: note("plane"),

@@ -24,7 +24,7 @@ const COARSE = 2;
 
 /**
  * Owns the WebGL renderer and the order of the layers: backdrop (silhouette, never over the model), model, ink (lines and
- * irregular edges), overlay (plane, highlight). They are drawn in that order in one go, so that a target of several samples
+ * irregular edges), overlay (plane, highlight), veil (what the model is seen through). They are drawn in that order in one go, so that a target of several samples
  * is resolved once; three keeps an order only among what it calls transparent, so all that is in them does.
  *
  * The canvas shows whole pictures, smoothed by four samples, or drafts of larger pixels and one sample, for GPUs that are too
@@ -35,8 +35,10 @@ export class Painter {
   model = new Group();
   ink = new Group();
   overlay = new Group();
+  veil = new Group();
   renderer;
   #scene = new Scene();
+  #before = [this.model, this.ink, this.overlay, this.veil];
   /** @type {WebGLRenderTarget | null} */
   #whole = null;
   /** The backdrop of the drafts, for as long as neither it nor the camera changes. @type {WebGLRenderTarget | null} */
@@ -68,7 +70,7 @@ export class Painter {
     this.renderer.sortObjects = false;
     this.renderer.info.autoReset = false;
     this.renderer.debug.checkShaderErrors = false;
-    this.#scene.add(this.backdrop, this.model, this.ink, this.overlay);
+    this.#scene.add(this.backdrop, ...this.#before);
     this.#scene.matrixWorldAutoUpdate = false;
   }
 
@@ -135,9 +137,9 @@ export class Painter {
     if (wanted !== this.#behindOf) {
       this.#behindOf = wanted;
       this.#begin(this.#behind);
-      for (const part of [this.model, this.ink, this.overlay]) part.visible = false;
+      for (const part of this.#before) part.visible = false;
       this.renderer.render(this.#scene, camera);
-      for (const part of [this.model, this.ink, this.overlay]) part.visible = true;
+      for (const part of this.#before) part.visible = true;
     }
     this.#begin(onto);
     copy(this.renderer, this.#behind, onto, size);

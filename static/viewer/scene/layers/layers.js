@@ -4,13 +4,15 @@ import { CellColours } from "./cell_colours.js";
 import { Gizmo } from "../camera/gizmo.js";
 import { HighlightLayer } from "./highlight_layer.js";
 import { IrregularLayer } from "./irregular_layer.js";
-import { INSIDE, LinesLayer } from "./lines_layer.js";
+import { LinesLayer } from "./lines_layer.js";
 import { fading } from "./lines_shader.js";
 import { OutlineLayer } from "./outline_layer.js";
 import { PlaneLayer } from "./plane_layer.js";
 import { release } from "./release.js";
+import { SeeThroughLayer } from "./see_through_layer.js";
 import { SilhouetteLayer } from "./silhouette_layer.js";
 import { SurfaceLayer } from "./surface_layer.js";
+import { under } from "./under.js";
 
 /** Ink of a surface edge by the number of shown cells around it: darkness-coded edges. Row 0: all alike. */
 const EDGE_STYLES = [1, 0.3, 0.65, 1].map((ink) => ({ colour: "#000000", ink }));
@@ -25,13 +27,14 @@ const LOOKS = /** @type {const} */ ([
   "colour",
   "separation",
   "silhouette",
+  "see_through",
   "irregular",
   "lighting",
   "background",
 ]);
 
 /**
- * All that is drawn, in the painter's four storeys, and how the status makes it look.
+ * All that is drawn, in the painter's five storeys, and how the status makes it look.
  */
 export class Layers {
   colours = new CellColours();
@@ -42,6 +45,7 @@ export class Layers {
   plane = new PlaneLayer();
   highlight = new HighlightLayer();
   outline = new OutlineLayer();
+  seeThrough = new SeeThroughLayer(this.surface.uniforms);
   gizmo = new Gizmo();
   #painter;
   /** @type {Map<string, string>} */
@@ -58,6 +62,7 @@ export class Layers {
     painter.model.add(this.surface.mesh);
     painter.ink.add(this.edges.group, this.irregular.group);
     painter.overlay.add(this.plane.group, this.highlight.group, this.outline.group);
+    painter.veil.add(this.seeThrough.group);
   }
 
   /** @param {import("../../geometry/records.js").Surface | null} surface */
@@ -102,10 +107,12 @@ export class Layers {
       this.surface.setColour(colour);
       if (colour.by && colour.by in CATEGORIES) this.colours.setMap(colour.by);
       else if (colour.map) this.colours.setMap(colour.map, colour);
-      this.edges.darkBelow = this.surface.dark;
+      this.edges.darkBelow = this.seeThrough.darkBelow = this.surface.dark;
     }
     if (separation?.line_opacity !== undefined) this.edges.opacity = separation.line_opacity;
-    if (separation?.line_width !== undefined) this.edges.width = separation.line_width;
+    if (separation?.line_width !== undefined)
+      this.edges.width = this.seeThrough.lineWidth = separation.line_width;
+    if (status.see_through) this.seeThrough.look(status.see_through);
     if (status.lighting?.shade !== undefined) this.surface.shade = status.lighting.shade;
     if (silhouette !== undefined) {
       this.silhouette.strength = silhouette;
@@ -120,8 +127,8 @@ export class Layers {
 
   /** All that is drawn is within; null where nothing is. */
   get box() {
-    const { surface, silhouette, irregular, plane, outline } = this;
-    return around([surface, silhouette, irregular, plane, outline].map(({ box }) => box));
+    const { surface, silhouette, seeThrough, irregular, plane, outline } = this;
+    return around([surface, silhouette, seeThrough, irregular, plane, outline].map(({ box }) => box));
   }
 
   /** Edges of the surface. @returns {number} */
@@ -157,7 +164,14 @@ export class Layers {
     this.surface.setDraft(view.draft, this.#draftInk(view));
     this.surface.fronts = this.outward && view.outside;
     this.silhouette.draft = view.draft;
-    for (const layer of [this.edges, this.irregular, this.plane, this.highlight, this.outline])
+    for (const layer of [
+      this.edges,
+      this.irregular,
+      this.plane,
+      this.highlight,
+      this.outline,
+      this.seeThrough,
+    ])
       layer.view(view);
   }
 
@@ -175,14 +189,26 @@ export class Layers {
 
   /** The context is lost: gives up what lay in it. */
   forget() {
-    const { backdrop, model, ink, overlay } = this.#painter;
-    for (const root of [backdrop, model, ink, overlay, this.gizmo.scene]) release(root);
+    const { backdrop, model, ink, overlay, veil } = this.#painter;
+    for (const root of [backdrop, model, ink, overlay, veil, this.gizmo.scene]) release(root);
     this.#painter.forget();
   }
 
   dispose() {
-    const { surface, edges, silhouette, irregular, plane, highlight, outline, gizmo, colours } = this;
-    for (const layer of [surface, edges, silhouette, irregular, plane, highlight, outline, gizmo, colours])
+    const { surface, edges, silhouette, irregular, plane, highlight, outline, seeThrough, gizmo, colours } =
+      this;
+    for (const layer of [
+      surface,
+      edges,
+      silhouette,
+      irregular,
+      plane,
+      highlight,
+      outline,
+      seeThrough,
+      gizmo,
+      colours,
+    ])
       layer.dispose();
   }
 }
@@ -190,18 +216,4 @@ export class Layers {
 /** Row of the styles by the number of shown cells around an edge. @param {number} cells */
 function darkness(cells) {
   return Math.min(cells, EDGE_STYLES.length - 1);
-}
-
-/**
- * What lies under each edge: the cells of both its faces, and whether filters expose them.
- *
- * @param {import("../../geometry/records.js").Surface} surface
- */
-function under({ edge_faces, faces, inside }) {
-  const sides = new Uint32Array(edge_faces.length);
-  for (let k = 0; k < sides.length; k++) {
-    const face = edge_faces[k];
-    sides[k] = (faces[face] >>> 3) + (inside[4 * face] ? INSIDE : 0);
-  }
-  return sides;
 }
