@@ -86,13 +86,14 @@ class FilterStack:
             As `apply` takes them.
         """
         none = np.zeros(self._mesh.cell_count, dtype=bool)
-        made = {
+        groups: dict[str, Callable[[], Hidden | None]] = {
             "cut": lambda: self._cut(filters),
             "quality": lambda: self._by_quality(filters),
             "parts": lambda: self._by_parts(filters),
             "picking": lambda: self._picked(none, filters),
-        }[group]()
-        return none if made is None else made
+        }
+        hidden = groups[group]()
+        return none if hidden is None else hidden
 
     def places(self, normal: Any, rule: str = "barycentre") -> Places:
         """Where the cells stand along a normal, and the ends of its slider, in the mesh's own unit.
