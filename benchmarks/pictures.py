@@ -34,7 +34,7 @@ def run(meshes: Path, pictures: Path, out: Path) -> None:
             size = Image.open(io.BytesIO(model)).size
             data = (meshes / mesh).read_bytes()
             rendering = renderer.render(mesh, data, read_settings(model), width=size[0], height=size[1])
-            side_by_side(model, rendering.png).save(out / picture)
+            side_by_side(model, rendering.data).save(out / picture)
             timings = renderer.page.evaluate("() => window.hexalab.timings()")
             print(f"{picture}: light {timings.get('lighting', 0) / 1000:.1f} s", *rendering.rejections)
 

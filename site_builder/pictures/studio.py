@@ -35,7 +35,7 @@ class Studio(Renderer):
             rejections, png = answer["rejections"], self._photograph(shot)
         else:
             rendering = self.render(name, None, status, width=shot.width, height=shot.height)
-            rejections, png = rendering.rejections, rendering.png
+            rejections, png = rendering.rejections, rendering.data
         if rejections:
             raise RenderError(f"the status of a picture of {name} is wrong: {rejections}")
         return png

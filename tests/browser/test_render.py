@@ -12,6 +12,7 @@ from benchmarks.page import SITE
 from hexalab import Mesh, cli, write
 from hexalab.hosts.rendering import Renderer
 from hexalab.png_text import read_settings
+from site_builder.pictures.album import png_size
 
 pytestmark = pytest.mark.browser
 
@@ -58,8 +59,37 @@ def test_B3_nothing_of_a_picture_stays_for_the_next(cube: Path) -> None:
             first = renderer.render("cube.mesh", data, {"lighting": {"mode": "none"}}, **size)
             loud = {"background": "#336699", "colour": {"by": "quality"}, "separation": {"mode": "rounded"}}
             renderer.render("cube.mesh", data, loud, **size)
-            return [first.png, renderer.render("cube.mesh", data, {"lighting": {"mode": "none"}}, **size).png]
+            return [
+                first.data,
+                renderer.render("cube.mesh", data, {"lighting": {"mode": "none"}}, **size).data,
+            ]
 
     with ThreadPoolExecutor(1) as thread:
         first, third = thread.submit(pictures).result()
     assert first == third
+
+
+def test_S5_render_makes_figures_of_each_format(
+    cube: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    look = {
+        "colour": {"by": "quality"},
+        "figure": {"legend": "bar", "caption": True, "width": 85, "unit": "mm"},
+    }
+    (tmp_path / "look.json").write_text(json.dumps(look))
+    words = ["render", str(cube), "--site", str(SITE), "--status", str(tmp_path / "look.json"), "-o"]
+    assert run([*words, str(tmp_path / "cube.svg")]) == 0
+    svg = (tmp_path / "cube.svg").read_text()
+    assert ">Scaled<" in svg and ">Jacobian<" in svg and "cube.mesh" in svg and svg.count("<image ") == 1
+    assert run([*words, str(tmp_path / "cube.pdf")]) == 0
+    assert (tmp_path / "cube.pdf").read_bytes().startswith(b"%PDF-")
+    assert run([*words, str(tmp_path / "cube.png"), "--figure"]) == 0
+    assert png_size(tmp_path / "cube.png")[0] == round(85 / 25.4 * 300)
+    assert read_settings((tmp_path / "cube.png").read_bytes())["figure"]["legend"] == "bar"
+    sized = ["--figure", "--width", "500", "--height", "300"]
+    assert run([*words, str(tmp_path / "sized.png"), *sized]) == 0
+    assert png_size(tmp_path / "sized.png") == (500, 300)
+    capsys.readouterr()
+    for wrong, told in (("x.jpg", ".svg or .pdf"), ("x.svg --transparent", "figure.transparent")):
+        assert run([*words, *wrong.split()]) == cli.MISUSE
+        assert told in capsys.readouterr().err

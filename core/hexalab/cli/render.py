@@ -29,8 +29,8 @@ def configure(parser: ArgumentParser) -> None:
         "--out",
         type=Path,
         required=True,
-        metavar="PNG",
-        help="where the picture goes; it carries its status",
+        metavar="PICTURE",
+        help="where the picture goes: .png, which carries its status; a figure also .svg, .pdf",
     )
     parser.add_argument(
         "--status",
@@ -38,8 +38,13 @@ def configure(parser: ArgumentParser) -> None:
         metavar="JSON",
         help="settings, whole or in part; or a picture that carries them; the original HexaLab's, too",
     )
-    parser.add_argument("--width", type=side, default=1280, metavar="N", help="pixels (default: %(default)s)")
-    parser.add_argument("--height", type=side, default=800, metavar="N", help="pixels (default: %(default)s)")
+    parser.add_argument(
+        "--figure",
+        action="store_true",
+        help="with legend, scale bar, axes, caption, panels, as the settings' section figure asks",
+    )
+    parser.add_argument("--width", type=side, metavar="N", help="pixels (default: 1280; a figure's own)")
+    parser.add_argument("--height", type=side, metavar="N", help="pixels (default: 800; a figure's own)")
     parser.add_argument("--transparent", action="store_true", help="leave the background out")
     parser.add_argument(
         "--site",
@@ -53,18 +58,33 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> int:
     """Draw; what of the settings could not be applied goes to stderr."""
-    from ..hosts.rendering import Renderer
+    from ..hosts.rendering import FIGURES, HEIGHT, WIDTH, Renderer
 
+    out: Path = arguments.out
+    form = out.suffix.lower().lstrip(".") or "png"
+    figure = arguments.figure or form in ("svg", "pdf")
+    if form not in (FIGURES if figure else ("png",)):
+        raise HexaLabError(f"{out}: expected a name that ends in .png; of a figure also in .svg or .pdf")
+    if figure and arguments.transparent:
+        raise HexaLabError("--transparent: a figure has a setting for that, figure.transparent")
+    if figure and bool(arguments.width) != bool(arguments.height):
+        raise HexaLabError("--width, --height: of a figure give both, or none")
     status = read_status(arguments.status) if arguments.status else None
     read(arguments.file)  # what can't be read is told before a browser is started
-    size = {name: getattr(arguments, name) for name in ("width", "height", "transparent")}
+    name, data = arguments.file.name, arguments.file.read_bytes()
+    size = {"width": arguments.width, "height": arguments.height}
     with Renderer(arguments.site) as renderer:
-        picture = renderer.render(arguments.file.name, arguments.file.read_bytes(), status, **size)
-    arguments.out.write_bytes(picture.png)
+        if figure:
+            picture = renderer.figure(name, data, status, format=form, **size)
+        else:
+            size = {"width": arguments.width or WIDTH, "height": arguments.height or HEIGHT}
+            picture = renderer.render(name, data, status, **size, transparent=arguments.transparent)
+    out.write_bytes(picture.data)
     for rejection in picture.rejections:
         words = f"{rejection['path']}: found {rejection['found']}, expected {rejection['expected']}"
         print(f"hexalab: {arguments.status}: {words}", file=sys.stderr)
-    print(f"{arguments.out}: {arguments.width} x {arguments.height} pixels, {len(picture.png):,} bytes")
+    pixels = "" if figure else f"{size['width']} x {size['height']} pixels, "
+    print(f"{out}: {pixels}{len(picture.data):,} bytes")
     return 0
 
 

@@ -2,7 +2,7 @@
 
 >>> with Renderer(Path("build/site")) as renderer:                               # doctest: +SKIP
 ...     rendering = renderer.render("cube.mesh", data, {"filters": {"peel": {"depth": 1}}})
->>> Path("cube.png").write_bytes(rendering.png)                                  # doctest: +SKIP
+>>> Path("cube.png").write_bytes(rendering.data)                                 # doctest: +SKIP
 """
 
 from __future__ import annotations
@@ -46,17 +46,22 @@ SHOW = """async ({ address, name, status }) => {
   }
 }"""
 
-PICTURE = """async (size) => {
+PICTURE = """async ({ format, size }) => {
   try {
-    const bytes = new Uint8Array(await (await window.hexalab.screenshot(size)).arrayBuffer());
+    const { hexalab } = window;
+    const picture = await (format ? hexalab.figure(format, size) : hexalab.screenshot(size));
+    const bytes = new Uint8Array(await picture.arrayBuffer());
     let text = "";
     for (let at = 0; at < bytes.length; at += 32768)
       text += String.fromCharCode(...bytes.subarray(at, at + 32768));
-    return { png: btoa(text) };
+    return { data: btoa(text) };
   } catch (error) {
     return { failed: error.message ?? String(error) };
   }
 }"""
+
+FIGURES = ("png", "svg", "pdf")
+"""Formats of figures."""
 
 
 class RenderError(HexaLabError):
@@ -92,15 +97,15 @@ class Rendering:
 
     Parameters
     ----------
-    png : bytes
-        The status is in its text chunk.
+    data : bytes
+        The file; the status is in the text chunk of a PNG.
     rejections : list of Rejection
         What of the status could not be applied.
     summary : dict
         The mesh's, as `window.hexalab.summary()` gives it.
     """
 
-    png: bytes
+    data: bytes
     rejections: list[Rejection] = field(default_factory=list)
     summary: dict[str, Any] = field(default_factory=dict)
 
@@ -195,10 +200,49 @@ class Renderer:
         RenderError
             The mesh can't be read, or the browser gave up.
         """
-        answer = self.show(name, data, status)
         size = {"width": width, "height": height, "transparent": transparent}
-        png = base64.b64decode(self._answer(PICTURE, size, name)["png"])
-        return Rendering(png, answer["rejections"], answer["summary"])
+        return self._picture(name, data, status, "", size)
+
+    def figure(
+        self,
+        name: str,
+        data: bytes | None,
+        status: dict[str, Any] | None = None,
+        *,
+        format: str = "png",
+        width: int | None = None,
+        height: int | None = None,
+    ) -> Rendering:
+        """Make the figure that a status asks for in its section `figure`: legend, scale bar, caption, panels.
+
+        Parameters
+        ----------
+        name, data, status
+            As for `render`.
+        format : str
+            One of `FIGURES`.
+        width, height : int, optional
+            Pixels; by default what the status asks for.
+
+        Raises
+        ------
+        RenderError
+            The mesh can't be read, the figure leaves no room for its pictures, or the browser gave up.
+        """
+        size = {"width": width, "height": height} if width and height else None
+        return self._picture(name, data, status, format, size)
+
+    def _picture(
+        self,
+        name: str,
+        data: bytes | None,
+        status: dict[str, Any] | None,
+        format: str,
+        size: dict[str, Any] | None,
+    ) -> Rendering:
+        answer = self.show(name, data, status)
+        taken = self._answer(PICTURE, {"format": format, "size": size}, name)
+        return Rendering(base64.b64decode(taken["data"]), answer["rejections"], answer["summary"])
 
     def show(self, name: str, data: bytes | None, status: dict[str, Any] | None = None) -> Shown:
         """Open a mesh in the viewer and wait until its light has converged.

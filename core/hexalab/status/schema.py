@@ -225,6 +225,7 @@ FIGURE = section(
             "regularisation",
             "irregular",
             "separation",
+            "lighting",
             "slice",
             "silhouette",
             "line_opacity",

@@ -98,10 +98,11 @@ export class HexaLab {
    * The figure that the status asks for (its section `figure`): pictures with legend, scale bar, axes, caption.
    *
    * @param {import("./figures.js").FigureFormat} [format] "png", which carries the status, "svg" or "pdf"
+   * @param {{ width?: number, height?: number }} [size] pixels, instead of what the status asks for
    * @returns {Promise<Blob>}
    */
-  figure(format = "png") {
-    return this.#app.figures.file(format, this.#app.canvas);
+  figure(format = "png", size = undefined) {
+    return this.#app.figures.file(format, this.#app.canvas, size);
   }
 
   /** Statistics of a metric or an attribute over the mesh. @param {string} quantity id @returns {Promise<import("../state/answers.js").Statistics>} */
@@ -114,7 +115,7 @@ export class HexaLab {
    *
    * @param {Blob} archive a zip of meshes; `name.json` beside a mesh is its own status
    * @param {unknown} [status] whole or partial, for all others; the present one without
-   * @param {{ width?: number, height?: number, report?: (done: number, of: number, name: string, failed: number) => void }} [options]
+   * @param {{ width?: number, height?: number, figures?: boolean, report?: (done: number, of: number, name: string, failed: number) => void }} [options]
    * @returns {Promise<Blob>} a zip of pictures, histograms and measurements.csv
    */
   async batch(archive, status, options = {}) {

@@ -1,6 +1,7 @@
 import { categoryColour, mapColours } from "../colours/palettes.js";
 import { composed, textOf } from "../figure/compose.js";
 import { FAMILY, INK } from "../figure/legend.js";
+import { keysOf } from "../figure/keys.js";
 import { layOut, wrapped } from "../figure/layout.js";
 import { cutTo, LARGEST } from "../figure/cut.js";
 import { contentOf, cropped, dataAddress, rasterised } from "../figure/raster.js";
@@ -13,6 +14,7 @@ import { quantityOf } from "../state/quantity.js";
  * @typedef {import("../figure/compose.js").Figure} Figure
  * @typedef {import("../figure/layout.js").Box} Box
  * @typedef {"png" | "svg" | "pdf"} FigureFormat
+ * @typedef {{ width?: number, height?: number }} Size
  *
  * @typedef {object} Made  a figure with its pictures
  * @property {Figure} figure
@@ -48,9 +50,15 @@ export class Figures {
     this.#app = app;
   }
 
-  /** Pixels of the figure, and of a point in it. @param {{ width: number, height: number }} canvas in CSS pixels */
-  size(canvas) {
-    const { unit, width, height, resolution } = this.#app.store.status.figure;
+  /**
+   * Pixels of the figure, and of a point in it.
+   *
+   * @param {{ width: number, height: number }} canvas in CSS pixels
+   * @param {Size | null} [wanted] in pixels, instead of what the status asks for
+   */
+  size(canvas, wanted = null) {
+    const asked = this.#app.store.status.figure;
+    const { unit, width, height, resolution } = wanted ? { ...asked, unit: "px", ...wanted } : asked;
     const shape = canvas.height / canvas.width;
     if (unit === "mm") {
       const dots = resolution / MILLIMETRES;
@@ -63,14 +71,17 @@ export class Figures {
     return { ...bounded(wide, high), point: (SCREEN / POINTS) * (wide / canvas.width) };
   }
 
-  /** Make the figure that the status asks for. @param {HTMLCanvasElement} canvas @returns {Promise<Made>} */
-  async make(canvas) {
+  /** Make the figure that the status asks for. @param {HTMLCanvasElement} canvas @param {Size | null} [wanted] @returns {Promise<Made>} */
+  async make(canvas, wanted = null) {
     const { store, tables } = this.#app;
     await this.#app.drawing.drawn();
     const { status } = store;
     const { figure: asked } = status;
-    const panels = panelsOf(status, tables.choices["separation.mode"]);
-    let { width, height, point } = this.size({ width: canvas.clientWidth, height: canvas.clientHeight });
+    const panels = panelsOf(status, tables.choices);
+    let { width, height, point } = this.size(
+      { width: canvas.clientWidth, height: canvas.clientHeight },
+      wanted,
+    );
     const style = {
       point,
       size: asked.letters,
@@ -135,9 +146,9 @@ export class Figures {
     };
   }
 
-  /** The figure as a file; a PNG carries the status. @param {FigureFormat} format @param {HTMLCanvasElement} canvas @returns {Promise<Blob>} */
-  async file(format, canvas) {
-    const { figure, pictures } = await this.make(canvas);
+  /** The figure as a file; a PNG carries the status. @param {FigureFormat} format @param {HTMLCanvasElement} canvas @param {Size | null} [wanted] @returns {Promise<Blob>} */
+  async file(format, canvas, wanted = null) {
+    const { figure, pictures } = await this.make(canvas, wanted);
     this.lastSize = { width: figure.width, height: figure.height };
     if (format === "png") {
       const placed = pictures.map((picture, k) => ({ picture, box: figure.layout.pictures[k] }));
@@ -190,8 +201,8 @@ export class Figures {
         pictures.push(await scene.screenshot(size));
       }
     } finally {
-      const { filters, irregular, separation, silhouette } = status;
-      store.set({ filters, irregular, separation, silhouette }, { undo: false });
+      const { filters, irregular, separation, silhouette, lighting } = status;
+      store.set({ filters, irregular, separation, silhouette, lighting }, { undo: false });
       await drawing.drawn();
     }
     return pictures;
@@ -214,9 +225,11 @@ export class Figures {
     const quantity = quantityOf(this.#app);
     const bins = figure.legend === "bar" ? STEPS : Math.min(BARS, histogram.bins);
     const data = await client.call("histogram", [quantity.id, bins]);
+    const highFirst = facts.get("colour")?.high_first ?? false;
     return {
       data,
-      colour: mapColours(colour),
+      colour: mapColours(colour, highFirst),
+      keys: keysOf(data, colour, highFirst),
       acceptable: quantity.acceptable,
       title: figure.legend_title || quantity.name || facts.get("colour")?.label || "",
     };

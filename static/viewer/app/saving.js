@@ -1,6 +1,7 @@
 import { mapColours } from "../colours/palettes.js";
 import { toCsv } from "../charts/export.js";
 import { textOf } from "../figure/compose.js";
+import { keysOf } from "../figure/keys.js";
 import { printed } from "../figure/histogram.js";
 import { rasterised } from "../figure/raster.js";
 import { quantityOf } from "../state/quantity.js";
@@ -110,6 +111,11 @@ export class Saving {
     });
   }
 
+  /** The figure that the status asks for, in pixels, as a PNG. @param {{ width?: number, height?: number }} size */
+  figure(size) {
+    return this.#app.figures.file("png", this.#app.canvas, size);
+  }
+
   /** @param {ChartFormat} format */
   async saveHistogram(format) {
     await this.#tried(async () => {
@@ -127,9 +133,11 @@ export class Saving {
     if (format === "csv") return new Blob([toCsv(data, data.quantity)], { type: "text/csv" });
     const quantity = quantityOf(this.#app);
     const { histogram, colour, figure } = store.status;
+    const highFirst = facts.get("colour")?.high_first ?? false;
     const scale = {
       data,
-      colour: mapColours(colour),
+      colour: mapColours(colour, highFirst),
+      keys: keysOf(data, colour, highFirst),
       acceptable: quantity.acceptable,
       title: histogram.title || `${quantity.name}, ${facts.get("summary")?.name ?? ""}`,
     };

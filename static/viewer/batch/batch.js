@@ -9,8 +9,9 @@ import { meshesIn, originIn, settingsBeside } from "./archive.js";
  * stays for the next. A mesh that fails is told in the table; the rest goes on.
  *
  * @typedef {import("../files/zip.js").Entry} Entry
- * @typedef {{ width?: number, height?: number, status?: unknown, signal?: AbortSignal,
+ * @typedef {{ width?: number, height?: number, figures?: boolean, status?: unknown, signal?: AbortSignal,
  *   report?: (done: number, of: number, name: string, failed: number) => void }} Options
+ * @typedef {{ width?: number, height?: number }} Size
  * @typedef {Record<string, string | number>} Row
  * @typedef {import("../state/answers.js").Summary} Summary
  *
@@ -25,7 +26,7 @@ import { meshesIn, originIn, settingsBeside } from "./archive.js";
  * @property {{ drawn: () => Promise<void> }} drawing
  * @property {{ measured: () => Promise<void> }} measures
  * @property {{ settle: (topic: string) => void }} messages
- * @property {{ picture: (size: { width?: number, height?: number }) => Promise<Blob>, histogram: (format: "png") => Promise<Blob | null> }} saving
+ * @property {{ picture: (size: Size) => Promise<Blob>, figure: (size: Size) => Promise<Blob>, histogram: (format: "png") => Promise<Blob | null> }} saving
  */
 
 /** The stem, or with a number added if a mesh of the same stem has it: both have pictures. @param {string} stem @param {Set<string>} names taken ones, in lower case */
@@ -71,7 +72,7 @@ export class Batch {
    * @returns {Promise<{ zip: Blob, failed: { name: string, problem: string }[] }>} a zip: NAME.png and NAME-METRIC.png for each
    *   mesh, measurements.csv; and the meshes that failed
    */
-  async run(entries, { width, height, status, signal, report } = {}) {
+  async run(entries, { width, height, figures = false, status, signal, report } = {}) {
     const meshes = await meshesIn(entries, this.#host.tables.formats);
     if (!meshes.length) throw new Error("there is no mesh among them");
     const comeBack = this.#host.opening.mark();
@@ -83,7 +84,10 @@ export class Batch {
       for (const [index, whole] of meshes.entries()) {
         signal?.throwIfAborted();
         report?.(index, meshes.length, whole.mesh.name, failedOf(rows).length);
-        const { row, made } = await this.#one(whole, entries, common, names, { width, height });
+        const { row, made } = await this.#one(whole, entries, common, names, {
+          size: { width, height },
+          figures,
+        });
         rows.push(row);
         files.push(...made);
       }
@@ -103,14 +107,17 @@ export class Batch {
     return touched.has("camera") || touched.has("filters") ? status : others;
   }
 
-  /** @param {import("./archive.js").WholeEntry} whole @param {Entry[]} entries @param {unknown} common @param {Set<string>} names taken ones @param {{ width?: number, height?: number }} size */
-  async #one(whole, entries, common, names, size) {
+  /** @param {import("./archive.js").WholeEntry} whole @param {Entry[]} entries @param {unknown} common @param {Set<string>} names taken ones @param {{ size: { width?: number, height?: number }, figures: boolean }} how */
+  async #one(whole, entries, common, names, { size, figures }) {
     const { mesh } = whole;
     const stem = freeName(stemOf(mesh.name), names);
     try {
       const layers = [common, ...(await settingsBeside(mesh, entries))];
       const summary = await this.#open(whole, layers);
-      const made = [{ name: `${stem}.png`, bytes: await bytesOf(await this.#host.saving.picture(size)) }];
+      if (figures) await this.#host.measures.measured(); // of which the legend tells
+      const { saving } = this.#host;
+      const picture = await (figures ? saving.figure(size) : saving.picture(size));
+      const made = [{ name: `${stem}.png`, bytes: await bytesOf(picture) }];
       await this.#host.measures.measured();
       const histogram = await this.#host.saving.histogram("png");
       const { quantity = "" } = this.#host.facts.get("histogram") ?? {};

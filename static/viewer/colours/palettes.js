@@ -110,11 +110,15 @@ function placed(position, { reversed = false, steps = 0 }) {
  * Colours of a map for style sheets and SVG.
  *
  * @param {Reading} reading
+ * @param {boolean} [highFirst] whether the map's first colour is that of high values
  * @returns {(position: number) => string}
  */
-export function mapColours(reading) {
+export function mapColours(reading, highFirst = false) {
+  const [first, last] = highFirst ? [reading.above, reading.below] : [reading.below, reading.above];
   return (position) => {
     if (!Number.isFinite(position)) return reading.missing ?? NOT_FINITE;
+    const end = position < 0 ? first : position > 1 ? last : null;
+    if (reading.beyond && end) return end;
     const place = placed(Math.min(1, Math.max(0, position)), reading);
     const bytes = paletteColour(reading.map ?? "parula", place).map((part) => Math.round(part * 255));
     return `#${bytes.map((byte) => byte.toString(16).padStart(2, "0")).join("")}`;

@@ -14,6 +14,13 @@ export function batchDialog(context) {
   const what = h("p");
   const progress = h("p", { class: "quiet", role: "status" });
   const problems = h("ul", { class: "problems" });
+  const figures = h("input", { type: "checkbox", id: "batch-figures" });
+  const asFigures = h(
+    "label",
+    { class: "check", title: "Legend, scale bar, axes, caption, panels: what is set in Save a picture" },
+    figures,
+    h("span", {}, "As figures, as set in “Save a picture”"),
+  );
   const fields = h("div", { class: "fields" }, field("width", "Width"), field("height", "Height"));
   const input = h("input", {
     type: "file",
@@ -46,7 +53,15 @@ export function batchDialog(context) {
   const element = dialog(
     "batch",
     "Pictures of many meshes",
-    [what, rest, fields, progress, problems, h("div", { class: "dialog-end" }, choose, input, stop, start)],
+    [
+      what,
+      rest,
+      fields,
+      asFigures,
+      progress,
+      problems,
+      h("div", { class: "dialog-end" }, choose, input, stop, start),
+    ],
     show,
   );
 
@@ -85,6 +100,7 @@ export function batchDialog(context) {
     try {
       const { zip, failed } = await app.batch.run(archive.entries, {
         ...size,
+        figures: figures.checked,
         signal: running.signal,
         report: (done, of, mesh, failures) => setText(progress, inWords(done, of, mesh, failures)),
       });

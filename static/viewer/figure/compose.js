@@ -1,5 +1,5 @@
 import { s } from "../widgets/dom.js";
-import { legend, words } from "./legend.js";
+import { keyRows, legend, words } from "./legend.js";
 import { lineAt } from "./layout.js";
 import { axes, panelLetter, scaleBar } from "./overlay.js";
 
@@ -71,21 +71,7 @@ function legendOf(scale, box, style) {
   const letter = style.size * style.point;
   return [
     words(scale.title, box.x, box.y + letter, { style, anchor: "start", weight: "bold" }),
-    ...scale.colours.flatMap(({ colour, name }, k) => {
-      const y = box.y + (2 + 1.6 * k) * letter;
-      return [
-        s("rect", {
-          x: box.x,
-          y,
-          width: letter,
-          height: letter,
-          fill: colour,
-          stroke: style.ink,
-          "stroke-width": 0.4 * style.point,
-        }),
-        words(name, box.x + 1.6 * letter, y + 0.85 * letter, { style, anchor: "start" }),
-      ];
-    }),
+    ...keyRows(scale.colours, { ...box, y: box.y + 1.5 * letter }, style),
   ];
 }
 

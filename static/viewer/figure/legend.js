@@ -1,5 +1,6 @@
 import { tickText } from "../charts/ticks.js";
 import { s } from "../widgets/dom.js";
+import { wrapped } from "./layout.js";
 import { readableTicks } from "./ticks.js";
 
 /**
@@ -13,6 +14,9 @@ import { readableTicks } from "./ticks.js";
  * @property {(position: number) => string} colour
  * @property {readonly [number | null, number | null] | null} acceptable
  * @property {string} title
+ * @property {readonly Key[]} keys of what is not on the map
+ *
+ * @typedef {{ colour: string, name: string }} Key
  *
  * @typedef {object} Style
  * @property {number} point pixels to a point (1/72 inch)
@@ -34,6 +38,12 @@ const BRACKET = 5;
 const TICK = 2;
 const GAP = 3;
 
+/** Lines that a title may take. */
+const MOST_LINES = 3;
+
+/** A row of a colour and its name, in letters. */
+const KEY = 1.6;
+
 /** Least part of the counts' length that a bin with a cell has, so that it is seen. */
 const LEAST = 0.01;
 
@@ -46,17 +56,20 @@ const LEAST = 0.01;
  * @property {(along: number, away: number) => [number, number]} at place in the figure
  */
 
-/** @param {Scale} scale @param {Box} box @param {Style} style @param {boolean} upright whether values rise upwards @returns {SVGElement[]} */
-export function legend(scale, box, style, upright) {
+/** @param {Scale} scale @param {Box} whole @param {Style} style @param {boolean} upright whether values rise upwards @returns {SVGElement[]} */
+export function legend(scale, whole, style, upright) {
   const { point, size } = style;
   const letter = size * point;
+  const below = scale.keys.length * KEY * letter;
+  const box = { ...whole, height: whole.height - below };
   const low = Number(scale.data.edges[0]);
   const high = Number(scale.data.edges[scale.data.edges.length - 1]);
   const ends = [low, high].map((value) => tickText(value));
   const label =
     Math.max(...ends.map((text) => widthOf(text, letter)), 4 * 0.6 * letter) + (TICK + GAP) * point;
   const axis = style.counts ? 2.6 * letter + GAP * point : 0;
-  const titled = scale.title ? 1.7 * letter : 0;
+  const heading = wrapped(scale.title, box.width, (text) => widthOf(text, letter)).slice(0, MOST_LINES);
+  const titled = heading.length ? (0.4 + 1.3 * heading.length) * letter : 0;
   const before = upright ? label + BRACKET * point : letter + (TICK + 2 * GAP) * point + BRACKET * point;
   const spread = upright ? box.width - before - 0.5 * letter : box.height - before - titled - 0.6 * letter;
   const length = upright ? box.height - titled - axis - 0.6 * letter : box.width - axis - label;
@@ -68,22 +81,41 @@ export function legend(scale, box, style, upright) {
       ? (along, away) => [box.x + before + away, box.y + titled + 0.3 * letter + length - along]
       : (along, away) => [box.x + axis + 0.5 * label + along, box.y + box.height - before - away],
   };
-  const title = scale.title
-    ? [
-        words(shortened(scale.title, box.width, letter), box.x, box.y + letter, {
-          style,
-          anchor: "start",
-          weight: "bold",
-        }),
-      ]
-    : [];
+  const title = heading.map((text, k) =>
+    words(shortened(text, box.width, letter), box.x, box.y + (1 + 1.3 * k) * letter, {
+      style,
+      anchor: "start",
+      weight: "bold",
+    }),
+  );
   return [
     ...title,
     ...strip(scale, direction, style),
     ...values(low, high, direction, style),
     ...bracket(scale, [low, high], direction, style),
     ...(style.counts ? counts(scale, direction, style, spread - BAR * point) : []),
+    ...keyRows(scale.keys, { ...whole, y: box.y + box.height, height: below }, style),
   ];
+}
+
+/** Colours with their names, one below the other. @param {readonly Key[]} keys @param {Box} box @param {Style} style @returns {SVGElement[]} */
+export function keyRows(keys, box, style) {
+  const letter = style.size * style.point;
+  return keys.flatMap(({ colour, name }, k) => {
+    const y = box.y + (k + 0.3) * KEY * letter;
+    return [
+      s("rect", {
+        x: round(box.x),
+        y: round(y),
+        width: round(letter),
+        height: round(letter),
+        fill: colour,
+        stroke: style.ink,
+        "stroke-width": round(0.4 * style.point),
+      }),
+      words(name, box.x + KEY * letter, y + 0.85 * letter, { style, anchor: "start" }),
+    ];
+  });
 }
 
 /** A text that is no wider than a width; an ellipsis says that there was more. @param {string} text @param {number} width @param {number} letter */

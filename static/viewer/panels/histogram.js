@@ -72,7 +72,7 @@ export function histogramPanel(context) {
     const style = getComputedStyle(element);
     const token = (/** @type {string} */ name) => style.getPropertyValue(name).trim();
     const look = {
-      colour: mapColours(context.store.status.colour),
+      colour: mapColours(context.store.status.colour, context.facts.get("colour")?.high_first),
       ink: token("--ink"),
       quiet: token("--quiet"),
       line: token("--edge"),

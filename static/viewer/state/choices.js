@@ -59,6 +59,7 @@ const NAMES = {
     regularisation: "regularisation",
     irregular: "irregular edges",
     separation: "separation",
+    lighting: "lighting",
     slice: "slice",
     silhouette: "silhouette",
     line_opacity: "darkness of lines",

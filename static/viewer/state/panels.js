@@ -3,15 +3,20 @@
  *
  * @typedef {import("./status.js").Status} Status
  * @typedef {import("./status.js").PartialStatus} PartialStatus
+ * @typedef {import("./status.js").Choices} Choices
  * @typedef {Exclude<Status["figure"]["panels"]["setting"], "none">} Setting
  *
  * @typedef {object} Row
  * @property {readonly number[]} values that are offered
+ * @property {keyof Choices} [words] setting whose words the values are places of
  * @property {(value: number, status: Status, words: readonly string[]) => PartialStatus} apply words: of the setting, where it has some
  */
 
 /** @param {number} value */
 const whole = (value) => Math.max(0, Math.round(value));
+
+/** @param {readonly string[]} words @param {number} place */
+const wordAt = (words, place) => words[Math.min(words.length - 1, whole(place))];
 
 /** @type {{ readonly [Name in Setting]: Row }} */
 export const PANELS = {
@@ -28,10 +33,16 @@ export const PANELS = {
   irregular: { values: [1, 3, 5], apply: (mode) => ({ irregular: { mode: Math.min(6, whole(mode)) } }) },
   separation: {
     values: [0, 1, 2, 3],
+    words: "separation.mode",
     apply: (place, _, words) => ({
-      separation: {
-        mode: /** @type {Status["separation"]["mode"]} */ (words[Math.min(words.length - 1, whole(place))]),
-      },
+      separation: { mode: /** @type {Status["separation"]["mode"]} */ (wordAt(words, place)) },
+    }),
+  },
+  lighting: {
+    values: [3, 2, 1, 0],
+    words: "lighting.mode",
+    apply: (place, _, words) => ({
+      lighting: { mode: /** @type {Status["lighting"]["mode"]} */ (wordAt(words, place)) },
     }),
   },
   slice: {
@@ -53,9 +64,10 @@ export const PANELS = {
   },
 };
 
-/** The partial statuses of a figure's panels; one that changes nothing where there are none. @param {Status} status @param {readonly string[]} modes of separation @returns {PartialStatus[]} */
-export function panelsOf(status, modes) {
+/** The partial statuses of a figure's panels; one that changes nothing where there are none. @param {Status} status @param {import("./tables.js").Tables["choices"]} choices @returns {PartialStatus[]} */
+export function panelsOf(status, choices) {
   const { setting, values } = status.figure.panels;
   if (setting === "none" || values.length < 2) return [{}];
-  return values.map((value) => PANELS[setting].apply(value, status, modes));
+  const { apply, words } = PANELS[setting];
+  return values.map((value) => apply(value, status, words ? choices[words] : []));
 }

@@ -124,7 +124,7 @@
  *     readonly caption: boolean,
  *     readonly caption_text: string,
  *     readonly panels: {
- *       readonly setting: "none" | "peel" | "regularisation" | "irregular" | "separation" | "slice" | "silhouette" | "line_opacity",
+ *       readonly setting: "none" | "peel" | "regularisation" | "irregular" | "separation" | "lighting" | "slice" | "silhouette" | "line_opacity",
  *       readonly values: readonly number[],
  *       readonly labels: boolean,
  *     },

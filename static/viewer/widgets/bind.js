@@ -31,7 +31,7 @@
  * @property {{ text: () => string, apply: (document: unknown) => Promise<import("../state/answers.js").Rejection[]> }} documents
  * @property {{ stem: string, saveStatus: () => void, link: () => Promise<string> }} saving
  * @property {(files: readonly File[]) => Promise<void>} offerBatch
- * @property {{ run: (entries: import("../files/zip.js").Entry[], options: Size & Run) => Promise<{ zip: Blob, failed: { name: string, problem: string }[] }> }} batch
+ * @property {{ run: (entries: import("../files/zip.js").Entry[], options: Size & Run & { figures: boolean }) => Promise<{ zip: Blob, failed: { name: string, problem: string }[] }> }} batch
  * @property {import("../scene/scene_like.js").SceneLike} scene
  *
  * @typedef {"png" | "svg" | "pdf" | "csv"} ChartFormat

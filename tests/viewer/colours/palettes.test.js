@@ -64,6 +64,10 @@ test("V3: a map can be turned round, run in steps, and have a colour for what ha
     "#0000ff", "#0000ff", "#ffffff", "#ffffff", "#ff0000", "#ff0000",
   ]); // prettier-ignore
   assert.equal(mapColours({ map: "jet", missing: "#123456" })(NaN), "#123456");
+  const ends = { map: "jet", beyond: true, above: "#111111", below: "#222222" };
+  assert.deepEqual([-0.1, 1.1].map(mapColours(ends, true)), ["#111111", "#222222"]);
+  assert.deepEqual([-0.1, 1.1].map(mapColours(ends)), ["#222222", "#111111"]);
+  assert.equal(mapColours({ ...ends, beyond: false })(-0.1), mapColours(ends)(0));
   const bytes = paletteBytes("red_blue", { steps: 2, reversed: true });
   assert.deepEqual([...bytes.subarray(0, 3)], [255, 0, 0]);
   assert.deepEqual([...bytes.subarray(4 * 255, 4 * 255 + 3)], [0, 0, 255]);

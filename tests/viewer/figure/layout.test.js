@@ -5,6 +5,7 @@ import { cutTo } from "../../../static/viewer/figure/cut.js";
 import { layOut, wrapped } from "../../../static/viewer/figure/layout.js";
 import { roundLength } from "../../../static/viewer/figure/overlay.js";
 import { readableTicks } from "../../../static/viewer/figure/ticks.js";
+import { keysOf } from "../../../static/viewer/figure/keys.js";
 import { PANELS, panelsOf } from "../../../static/viewer/state/panels.js";
 
 /** @type {import("../../../static/viewer/figure/layout.js").Asked} */
@@ -112,7 +113,12 @@ test("S5: what is cropped fills its box one way, and is not larger than it can b
 });
 
 test("S5: panels differ by the setting that was chosen alone", () => {
-  const modes = ["lines", "darkness_coded_edges", "fissure", "rounded"];
+  const modes = /** @type {import("../../../static/viewer/state/tables.js").Tables["choices"]} */ (
+    /** @type {unknown} */ ({
+      "separation.mode": ["lines", "darkness_coded_edges", "fissure", "rounded"],
+      "lighting.mode": ["object_space_ao", "screen_space_ao", "direct", "none"],
+    })
+  );
   const status = (/** @type {object} */ panels) =>
     /** @type {import("../../../static/viewer/state/status.js").Status} */ (
       /** @type {unknown} */ ({
@@ -128,7 +134,30 @@ test("S5: panels differ by the setting that was chosen alone", () => {
   assert.deepEqual(panelsOf(status({ setting: "separation", values: [0, 9] }), modes)[1], {
     separation: { mode: "rounded" },
   });
+  assert.deepEqual(panelsOf(status({ setting: "lighting", values: [3, 2] }), modes)[0], {
+    lighting: { mode: "none" },
+  });
   const [, sliced] = panelsOf(status({ setting: "slice", values: [0, 0.5] }), modes);
   assert.deepEqual(sliced.filters?.planes?.items, [{ enabled: true, normal: [0, 1, 0], offset: 0.5 }]);
   for (const { values } of Object.values(PANELS)) assert.ok(values.length >= 2 && values.length <= 6);
+});
+
+test("S5: colours that are on no map are named where there are such cells", () => {
+  const colour = /** @type {Parameters<typeof keysOf>[1]} */ ({
+    range: [0.2, 0.9],
+    beyond: true,
+    above: "#d6409f",
+    below: "#3c3c3c",
+    missing: "#8c8c8c",
+  });
+  const data = { counts: [3, 1, 4], map_position: [1.2, 0.5, -0.1], not_finite: 2 };
+  const names = (/** @type {object} */ change, highFirst = true) =>
+    keysOf({ ...data, ...change }, colour, highFirst).map(({ name }) => name);
+  assert.deepEqual(names({}), ["above 0.9", "below 0.2", "not finite"]);
+  assert.deepEqual(names({ counts: [3, 1, 0], not_finite: 0 }), ["below 0.2"]);
+  assert.deepEqual(names({ counts: [3, 1, 0], not_finite: 0 }, false), ["above 0.9"]);
+  assert.deepEqual(
+    keysOf(data, { ...colour, beyond: false }, true).map((key) => key.colour),
+    ["#8c8c8c"],
+  );
 });
