@@ -31,8 +31,9 @@ CHAPTERS = (
     ("window", "The window"), ("view", "The view of the next mesh"), ("slice", "Slice"), ("peel", "Peel"),
     ("quality", "Quality filter"),
     ("picking", "Picking by hand"), ("regularise", "Regularise"), ("separation", "Separation"), ("colour", "Colour"),
-    ("silhouette", "Silhouette"), ("irregular", "Irregular edges"), ("lighting", "Light"),
-    ("histogram", "Histogram and statistics"), ("diagnosis", "Diagnosis"), ("inspector", "One cell"),
+    ("silhouette", "Silhouette"), ("see-through", "See through"), ("irregular", "Irregular edges"),
+    ("lighting", "Light"), ("histogram", "Histogram and statistics"), ("diagnosis", "Diagnosis"),
+    ("inspector", "One cell"),
     ("sharing", "Settings and sharing"), ("keyboard", "Keyboard"), ("formats", "Formats"),
     ("metrics", "What the metrics mean"),
 )  # fmt: skip

@@ -35,6 +35,11 @@ class Figure:
     settings: Status
 
     @property
+    def wide(self) -> bool:
+        """Whether it is a row of pictures, which takes the page's width."""
+        return len(self.settings.get("figure", {}).get("panels", {}).get("values", ())) > 1
+
+    @property
     def words(self) -> str:
         """The settings in one line of JSON."""
         return json.dumps(self.settings, ensure_ascii=False) if self.settings else ""

@@ -5,7 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from .recipe import Recipe
+from .shot import Status
 
+WIRELESS: Status = {"irregular": {"mode": 0}}
 LATTICE, NOISY, PADDED = "shapes/lattice", "sizes/grid-1000", "structures/padded-cube"
 WIDE_RANGE = "shapes/t-junction"
 
@@ -138,7 +140,138 @@ STRUCTURES = {
     )
 }
 
+ROW: Status = {"unit": "px", "width": 1440, "height": 430, "crop": True, "margin": 4}
+"""A figure as broad as a page, of several panels."""
+
+HALF: Status = {"unit": "px", "width": 960, "height": 540, "margin": 4}
+"""A figure as broad as a column."""
+
+ROUND: Status = {"mode": "rounded", "radius": 0.09}
+
+
+def _panels(setting: str, *values: float) -> Status:
+    return {"figure": {**ROW, "panels": {"setting": setting, "values": list(values)}}}
+
+
+def _mapped(name: str) -> Status:
+    return {
+        "colour": {"by": "quality", "map": name, "range": [0.5, 1]},
+        "figure": {**HALF, "legend": "histogram"},
+    }
+
+
+def _compared(caption: str) -> Status:
+    """Under one status: the same view, cut and range of colours."""
+    return {
+        "colour": {"by": "quality", "range": [0.5, 1]},
+        "irregular": {"mode": 3},
+        "figure": {**HALF, "legend": "histogram", "caption": True, "caption_text": caption},
+    }
+
+
+UNDUG = [3, 4, 11, 12, 19, 20, 27, 28, 35, 36, 43, 44, 51, 52, 59, 60]
+"""Cells of shapes/cube that stand before the cut: two columns of them."""
+
+FIGURES = {
+    "separation": Recipe(
+        "shapes/knot",
+        _panels("separation", 0, 1, 2, 3),
+        WIRELESS,
+        title="Separation",
+        sentence="Lines, darkness-coded edges, fissures, rounded cells: one cut, four ways to tell cells apart.",
+    ),
+    "lighting": Recipe(
+        LATTICE,
+        _panels("lighting", 3, 2, 1, 0),
+        {"separation": {"mode": "fissure", "gap": 0.15}},
+        title="Light",
+        sentence="None, a lamp at the eye, ambient occlusion from the picture, and from 1,024 directions.",
+    ),
+    "peeling": Recipe(
+        "shapes/torus",
+        _panels("peel", 0, 1, 2, 3),
+        {"separation": ROUND, **WIRELESS},
+        title="Peeling",
+        sentence="Nothing, one, two and three layers of cells taken off from the boundary.",
+        offset=0,
+    ),
+    "regularisation": Recipe(
+        "shapes/sphere",
+        _panels("regularisation", 0, 1, 2, 3),
+        {"separation": ROUND, **WIRELESS},
+        title="Regularisation",
+        sentence="The ragged edge of a cut becomes cleaner with each step.",
+    ),
+    "undigging": Recipe(
+        "shapes/cube",
+        {"filters": {"picking": {"shown": UNDUG}}, "figure": HALF},
+        {"separation": ROUND, **WIRELESS},
+        title="Undigging",
+        sentence="A few hidden cells brought back by hand tell how the mesh goes on before the cut.",
+    ),
+    "combined": Recipe(
+        "shapes/nozzle",
+        {
+            "filters": {"quality": {"items": [{"quantity": "scaled_jacobian", "maximum": 0.97}]}},
+            "see_through": {"cells": "quality", "opacity": 0.15},
+            "figure": {**HALF, "legend": "bar", "scale_bar": True, "axes": True, "caption": True},
+        },
+        {"separation": ROUND, "colour": {"by": "quality", "range": [0.8, 1]}, **WIRELESS},
+        title="Filters combined",
+        sentence="Cut, and only the worse cells, seen through the better ones; with scale bar, axes and caption.",
+    ),
+    "silhouettes": Recipe(
+        "shapes/gear",
+        _panels("silhouette", 0, 0.5, 1),
+        {"separation": ROUND, **WIRELESS},
+        title="Silhouettes",
+        sentence="What is hidden leaves nothing, a flat tint, or a shaded shape.",
+    ),
+    "irregular": Recipe(
+        PADDED,
+        _panels("irregular", 1, 3, 5),
+        title="Irregular structure",
+        sentence="Irregular edges as wires, barbed wires and paper: each tells more of how cells meet there.",
+        offset=0.55,
+    ),
+    "map-parula": Recipe(
+        WIDE_RANGE,
+        _mapped("parula"),
+        {"separation": ROUND, **WIRELESS},
+        title="Colour map with histogram, Parula",
+        sentence="Bars and cells have the same colours; the bracket is the acceptable range.",
+    ),
+    "map-red-blue": Recipe(
+        WIDE_RANGE,
+        _mapped("red_blue"),
+        {"separation": ROUND, **WIRELESS},
+        title="Colour map with histogram, Red-Blue",
+        sentence="White in the middle: the ends stand out.",
+    ),
+    "comparison-grid": Recipe(
+        "shapes/cube",
+        _compared("A grid: no irregular edge, all cells alike."),
+        {"separation": ROUND},
+        title="Comparison, a grid",
+        sentence="Two meshes of a cube under one status: the same view, cut and range of colours.",
+    ),
+    "comparison-padded": Recipe(
+        PADDED,
+        _compared("Padded: twelve irregular edges run from the corners to an inner cube."),
+        {"separation": ROUND},
+        title="Comparison, a padded grid",
+        sentence="What the layer along the boundary costs stands in the histogram.",
+    ),
+}
+
 SECTIONS = (
+    SectionRecipe(
+        "figures",
+        "Figures for papers",
+        "What “Save a picture” makes of a view: several panels in a row, a legend or a histogram, scale bar, axes, "
+        "caption; as PNG, SVG or PDF. A click opens the view with all of that set: press Image.",
+        FIGURES,
+    ),
     *(_by_light(mode) for mode in MODES),
     SectionRecipe(
         "maps",

@@ -16,7 +16,7 @@ from ..model.catalogue import MeshEntry
 WIDTH, HEIGHT = 720, 480
 """Pixels: twice what a card shows."""
 
-STYLE = 3
+STYLE = 4
 """Raise it to have every picture taken anew, when the viewer draws otherwise than before."""
 
 Status = dict[str, Any]
@@ -31,7 +31,7 @@ class Shot:
     mesh : MeshEntry
         Its file lies in the site.
     status : dict
-        What of the status differs from the defaults.
+        What of the status differs from the defaults; with a section `figure` a figure is made, of the size it has.
     width, height : int
         Pixels.
     part : str

@@ -33,6 +33,9 @@ class Studio(Renderer):
         if shot.part:
             answer = self.show(name, None, status)
             rejections, png = answer["rejections"], self._photograph(shot)
+        elif "figure" in shot.status:
+            rendering = self.figure(name, None, status)
+            rejections, png = rendering.rejections, rendering.data
         else:
             rendering = self.render(name, None, status, width=shot.width, height=shot.height)
             rejections, png = rendering.rejections, rendering.data

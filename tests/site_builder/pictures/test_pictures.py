@@ -151,13 +151,12 @@ def test_C2_every_setting_of_gallery_and_guide_is_one(tmp_path):
         if mesh.source.own:
             mesh.local, mesh.facts = mesh.local or tmp_path, Facts(sha256="1" * 64, cells=100)
     collection = Collection(catalogue)
-    assert len(collection.gallery) == 8
-    modes = [
-        [figure.shot.status["separation"]["mode"] for figure in row.figures] for row in collection.gallery[:4]
-    ]
-    lights = [
-        [figure.shot.status["lighting"]["mode"] for figure in row.figures] for row in collection.gallery[:4]
-    ]
+    figures, *rows = collection.gallery
+    assert len(rows) == 8
+    setting = {figure.shot.status["figure"].get("panels", {}).get("setting") for figure in figures.figures}
+    assert setting > {"separation", "lighting", "peel", "regularisation", "silhouette", "irregular"}
+    modes = [[figure.shot.status["separation"]["mode"] for figure in row.figures] for row in rows[:4]]
+    lights = [[figure.shot.status["lighting"]["mode"] for figure in row.figures] for row in rows[:4]]
     assert modes == [[mode] * 4 for mode in ("lines", "darkness_coded_edges", "fissure", "rounded")]
     assert lights == [["none", "direct", "screen_space_ao", "object_space_ao"]] * 4
     for address, shot in collection.figures.items():
