@@ -210,4 +210,4 @@ def test_a_double_click_on_a_label_resets_the_control(mesh: Page) -> None:
     mesh.get_by_text("Peel", exact=True).dblclick()
     mesh.get_by_text("Darkness", exact=True).dblclick()
     assert ui.status(mesh)["filters"]["peel"]["depth"] == 0
-    assert ui.status(mesh)["separation"]["line_opacity"] == 0.35
+    assert ui.status(mesh)["separation"]["line_opacity"] == 0.45

@@ -141,7 +141,7 @@ FILTERS = section(
 SEPARATION = section(
     "How the cells are told apart.",
     mode=core(choice("lines", "darkness_coded_edges", "fissure", "rounded")),
-    line_opacity={**UNIT, "default": 0.35},
+    line_opacity={**UNIT, "default": 0.45},
     gap=core({"type": "number", "minimum": 0.01, "maximum": 0.5, "default": 0.15}),
     radius=core({"type": "number", "minimum": 0.01, "maximum": 0.5, "default": 0.075}),
     line_width={"type": "number", "minimum": 0.25, "maximum": 8, "default": 1, "description": "In pixels"},

@@ -12,7 +12,7 @@ export const STAGES = { blend: 0, cover: 1, ink: 2 };
 
 /** Share of the ink that edges so many pixels long keep: all of it would blacken a fine mesh. @param {number} length @returns {number} */
 export function fading(length) {
-  return Math.min(1, Math.max(0.2, (length + 1) / 7));
+  return Math.min(1, Math.max(0.25, (length + 1.5) / 8));
 }
 
 /**
@@ -114,7 +114,7 @@ void main() {
   if (max(luminanceOf(sides.x), luminanceOf(sides.y)) < ${DARK}) vStyle = vec4(lightColour, ${LIGHT_INK} * vStyle.a);
 #endif
   // As fading() has it, below 1 by the length of each.
-  vStyle.a *= mix(1.0, clamp((length + 1.0) / 7.0, 0.2, 1.0), fade);
+  vStyle.a *= mix(1.0, clamp((length + 1.5) / 8.0, 0.25, 1.0), fade);
   gl_Position = vec4(place, 1.0);
 }
 `;
