@@ -49,14 +49,14 @@ const KNOTS = {
 
 /**
  * Colours of categories, by their numbers. Kinds: hexahedron, wedge, pyramid, tetrahedron, other, in the order of the core's
- * `SHAPES`. Parts: Paul Tol's "light" scheme (SRON/EPS/TN/09-002, 2021), whose colours colour-blind eyes tell apart; past the last
- * it begins again.
+ * `SHAPES`. Parts: of the schemes of Paul Tol (SRON/EPS/TN/09-002, 2021) and of Okabe and Ito (2008) eight that are farthest apart
+ * to usual eyes and to those that lack a kind of cone; past the last it begins again.
  *
  * @type {Record<string, readonly string[]>}
  */
 export const CATEGORIES = {
   kind: ["#f2efe8", "#e5a04c", "#5aa9a0", "#a06ab4", "#c8372d"],
-  part: ["#77aadd", "#ee8866", "#eedd88", "#ffaabb", "#99ddff", "#44bb99", "#bbcc33", "#aaaa00"],
+  part: ["#77aadd", "#ee8866", "#bbcc33", "#ffaabb", "#4477aa", "#eedd88", "#d55e00", "#cc6677"],
 };
 
 /** @param {string} by what is coloured by @param {number} category */
