@@ -47,7 +47,7 @@ def status(name: str) -> dict[str, Any]:
 def take(page: Page, settings: dict[str, Any]) -> Image.Image:
     """Apply settings and take the picture."""
     assert page.evaluate("status => window.hexalab.setStatus(status)", settings) == []
-    png = base64.b64decode(page.evaluate(PICTURE, SIZE)["png"])
+    png = base64.b64decode(page.evaluate(PICTURE, {"format": "", "size": SIZE})["data"])
     return Image.open(io.BytesIO(png)).convert("RGB")
 
 

@@ -10,25 +10,13 @@ import {
 } from "three";
 import { boxOf } from "../../geometry/box.js";
 import { flatQuadIndex } from "../../geometry/quad_index.js";
-import { COLOUR_INPUTS, COLOUR_OF } from "./colour_shader.js";
+import { COLOUR_OF } from "./colour_shader.js";
 import { LinesLayer } from "./lines_layer.js";
-import { HEADLIGHT } from "./surface_shader.js";
+import { HEADLIGHT, SURFACE_INPUTS } from "./surface_shader.js";
 import { under } from "./under.js";
 
 const VERTEX = `
-precision highp float;
-precision highp int;
-precision highp sampler2D;
-precision highp usampler2D;
-in vec3 position;
-in vec4 normal;
-in uint cell;
-in float inside;
-uniform mat4 modelViewMatrix;
-uniform mat4 projectionMatrix;
-uniform mat3 normalMatrix;
-${COLOUR_INPUTS}
-${COLOUR_OF}
+${SURFACE_INPUTS}${COLOUR_OF}
 out vec3 vColour;
 out vec3 vNormal;
 out vec3 vView;
