@@ -186,7 +186,9 @@ export class Figures {
       height: Math.max(1, Math.round(height * scale)),
       transparent: true,
     };
-    return contentOf(await this.#take(panels, size));
+    // Where something is does not depend on light, which takes its time.
+    const unlit = panels.map((panel) => ({ ...panel, lighting: /** @type {const} */ ({ mode: "none" }) }));
+    return contentOf(await this.#take(unlit, size));
   }
 
   /** A picture of each panel; the settings are then what they were. @param {readonly import("../state/status.js").PartialStatus[]} panels @param {{ width: number, height: number, transparent: boolean }} size */
