@@ -130,6 +130,23 @@ def test_S5_panels_stand_in_a_row_with_letters_and_the_settings_stay(viewer: Pag
     assert {**after, "figure": 0} == {**before, "figure": 0}
 
 
+def test_S5_what_changes_for_a_figure_alone_is_not_told_as_a_change(viewer: Page) -> None:
+    ui.set_status(viewer, {"lighting": {"mode": "direct"}})
+    viewer.evaluate(
+        """() => {
+            window.told = [];
+            const line = document.querySelector(".status-line") ?? document.querySelector("footer");
+            new MutationObserver(() => window.told.push(line.innerText))
+                .observe(line, { subtree: true, childList: true, characterData: true });
+        }"""
+    )
+    figure(
+        viewer, "png", crop=True, width=300, height=200, panels={"setting": "silhouette", "values": [0, 1]}
+    )
+    assert not [text for text in viewer.evaluate("() => window.told") if "Light" in text or "Silhou" in text]
+    assert ui.status(viewer)["lighting"]["mode"] == "direct"
+
+
 def test_S5_a_pdf_has_its_size_and_its_words_as_text(viewer: Page) -> None:
     pdf = figure(
         viewer, "pdf", unit="mm", width=100, height=60, resolution=72, caption=True, caption_text="Words"

@@ -193,9 +193,10 @@ export class Figures {
 
   /** A picture of each panel; the settings are then what they were. @param {readonly import("../state/status.js").PartialStatus[]} panels @param {{ width: number, height: number, transparent: boolean }} size */
   async #take(panels, size) {
-    const { store, drawing, scene } = this.#app;
+    const { store, drawing, scene, facts } = this.#app;
     const { status } = store;
     const pictures = [];
+    facts.set({ posing: true });
     try {
       for (const panel of panels) {
         store.set(panel, { undo: false });
@@ -205,6 +206,7 @@ export class Figures {
     } finally {
       const { filters, irregular, separation, silhouette, lighting } = status;
       store.set({ filters, irregular, separation, silhouette, lighting }, { undo: false });
+      facts.set({ posing: false });
       await drawing.drawn();
     }
     return pictures;

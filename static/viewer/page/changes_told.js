@@ -21,6 +21,7 @@ export function tellChanges(context, sections) {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let ending;
   store.on("*", (_, changed) => {
+    if (facts.get("posing")) return;
     const told = controls.filter(
       ({ control, section }) => changed.includes(control.path ?? "") && isFolded(section),
     );

@@ -46,6 +46,7 @@
  * @property {import("./answers.js").Update["plane_ranges"]} planeRanges
  * @property {import("./opening_view.js").Keeping} keeping whether another mesh keeps the view
  * @property {string} changed what was set while its control is folded away, in words
+ * @property {boolean} posing while settings change for the pictures of a figure, to be what they were
  * @property {boolean} remember whether the last files are kept in this browser
  * @property {{ name: string, press: () => unknown } | null} again the files that were open when the page was left
  * @property {import("./quality_filter.js").Keep | null} keep chosen while the quality filter hides nothing yet
@@ -86,6 +87,7 @@ const NOTHING = {
   planeShown: false,
   keeping: "changed",
   changed: "",
+  posing: false,
   remember: true,
   again: null,
   keep: null,
