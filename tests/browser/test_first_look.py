@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 from collections.abc import Iterator
 from pathlib import Path
@@ -9,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from PIL import Image
 from playwright.sync_api import Browser, Page
 
 import hexalab
@@ -256,6 +258,36 @@ def test_Q3_the_worst_cells_are_walked_by_arrow_keys_and_outlined(
     assert values == pytest.approx(hexalab.quality(mesh, "scaled_jacobian").tolist(), abs=1e-12)
     viewer.keyboard.press("Escape")
     ui.until(lambda: not viewer.locator(".cell-label").is_visible())
+
+
+def test_Q3_the_outline_has_a_light_rim_on_dark_cells(viewer: Page, site: str, shelf: Path) -> None:
+    ui.open_mesh(viewer, site, shelf, grid(3, 3, 3), "dark.mesh")
+    ui.set_status(viewer, {"colour": {"by": "quality", "map": "parula"}, "lighting": {"mode": "direct"}})
+    ui.unfold(viewer)
+    ui.until(lambda: viewer.locator(".worst button").count() > 10)
+    viewer.locator(".worst button").first.click()
+    ui.until(lambda: viewer.locator(".cell-label").is_visible())
+    outlined = canvas(viewer)
+    viewer.keyboard.press("Escape")
+    ui.until(lambda: not viewer.locator(".cell-label").is_visible())
+    bare = canvas(viewer)
+    dark = bare.max(axis=2) < 190
+    turned = dark & (outlined.min(axis=2) > 200)
+    ink = dark & (np.abs(outlined - [0x0B, 0x6E, 0x74]).max(axis=2) < 12)
+    assert ink.sum() > 300
+    assert turned.sum() > 300
+    beside = np.zeros_like(turned)
+    for across in range(-4, 5):
+        for down in range(-4, 5):
+            beside |= np.roll(turned, (down, across), (0, 1))
+    assert (ink & beside).sum() > 500
+
+
+def canvas(page: Page) -> np.ndarray:
+    """The picture on the screen as (height, width, 3) numbers from 0 to 255, once nothing moves."""
+    page.evaluate("() => window.hexalab.settled()")
+    with Image.open(io.BytesIO(page.locator("#canvas").screenshot())) as picture:
+        return np.asarray(picture.convert("RGB")).astype(int)
 
 
 def test_R10_a_file_that_is_neither_mesh_nor_settings_hears_what_is_read(viewer: Page) -> None:
