@@ -283,6 +283,23 @@ def test_Q3_the_outline_has_a_light_rim_on_dark_cells(viewer: Page, site: str, s
     assert (ink & beside).sum() > 500
 
 
+def test_V8_on_a_small_screen_name_and_inspector_leave_the_picture_free(
+    viewer: Page, site: str, shelf: Path
+) -> None:
+    viewer.set_viewport_size({"width": 360, "height": 740})
+    ui.open_mesh(viewer, site, shelf, grid(3, 3, 3), "a name in sight.mesh")
+    name = viewer.locator("#mesh-name")
+    assert name.inner_text() == "a name in sight.mesh"
+    viewer.mouse.click(*ui.middle(viewer))
+    inspector = viewer.locator(".inspector")
+    ui.until(inspector.is_visible)
+    boxes = [element.bounding_box() for element in (name, viewer.locator("#canvas"), inspector)]
+    tops, heights = zip(*((box["y"], box["height"]) for box in boxes if box), strict=True)
+    assert tops[0] + heights[0] <= tops[1]
+    assert tops[1] + heights[1] <= tops[2]
+    assert tops[2] + heights[2] == 740
+
+
 def canvas(page: Page) -> np.ndarray:
     """The picture on the screen as (height, width, 3) numbers from 0 to 255, once nothing moves."""
     page.evaluate("() => window.hexalab.settled()")

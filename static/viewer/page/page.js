@@ -38,11 +38,11 @@ export class Page {
       status: statusDialog(context),
     };
     place("bar", ...bar(context, this.dialogs));
+    meshName(context);
     place("panel", ...SECTIONS.map((section) => renderSection(context, section)));
     const cellInspector = inspector(context);
     place(
       "view",
-      meshName(context),
       progressBar(context),
       emptyState(context),
       fitButton(context),
