@@ -49,6 +49,13 @@ def viewer(opened: Page) -> Page:
     return opened
 
 
+def canvas(page: Page) -> np.ndarray:
+    """The picture on the screen as (height, width, 3) numbers from 0 to 255, once nothing moves."""
+    page.evaluate("() => window.hexalab.settled()")
+    with Image.open(io.BytesIO(page.locator("#canvas").screenshot())) as picture:
+        return np.asarray(picture.convert("RGB")).astype(int)
+
+
 def margins(page: Page, **size: int) -> list[int]:
     """Blank pixels at left, top, right and bottom of a picture."""
     alpha = page.evaluate(
@@ -298,13 +305,10 @@ def test_V8_on_a_small_screen_name_and_inspector_leave_the_picture_free(
     assert tops[0] + heights[0] <= tops[1]
     assert tops[1] + heights[1] <= tops[2]
     assert tops[2] + heights[2] == 740
-
-
-def canvas(page: Page) -> np.ndarray:
-    """The picture on the screen as (height, width, 3) numbers from 0 to 255, once nothing moves."""
-    page.evaluate("() => window.hexalab.settled()")
-    with Image.open(io.BytesIO(page.locator("#canvas").screenshot())) as picture:
-        return np.asarray(picture.convert("RGB")).astype(int)
+    for width, in_a_line in ((320, True), (480, True), (600, False)):
+        viewer.set_viewport_size({"width": width, "height": 740})
+        assert name.is_visible() is in_a_line
+        assert viewer.evaluate("() => document.documentElement.scrollWidth") == width
 
 
 def test_R10_a_file_that_is_neither_mesh_nor_settings_hears_what_is_read(viewer: Page) -> None:

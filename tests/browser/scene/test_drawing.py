@@ -143,6 +143,19 @@ def test_V1_where_lines_meet_they_are_as_dark_as_elsewhere(stage: Any) -> None:
         assert np.abs(face - beside).max() > 50
 
 
+def test_V1_thousands_of_lines_lie_on_the_picture_as_few_do(stage: Any) -> None:
+    show(stage, np.ones((3, 3, 1), bool), separation={"line_opacity": 0.4, "line_width": 6})
+    few = stage.picture().astype(int)
+    surface = grid_surface(np.ones((3, 3, 1), bool))
+    lines = len(surface["edges"]) // 6
+    for each in ("edges", "edge_cells", "edge_faces"):
+        surface[each] = np.tile(surface[each], 2000 // lines)
+    stage.call("setSurface", surface)
+    stage.settle()
+    assert stage.run("scene.drawn()")["edges"] > 1900
+    assert np.abs(stage.picture().astype(int) - few).max() <= 1
+
+
 def test_V1_lines_are_light_where_the_colours_on_both_sides_are_dark(stage: Any) -> None:
     lines = {"line_opacity": 1, "line_width": 5}
     show(stage, np.ones((4, 1, 1), bool), colour={"by": "quality", "map": "parula"}, separation=lines)

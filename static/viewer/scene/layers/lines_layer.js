@@ -24,6 +24,9 @@ import { flatQuadIndex } from "../../geometry/quad_index.js";
 /** Pixels, in the mean, below which lines that fade are fainter than they could be. */
 const SHORT = 24;
 
+/** Lines beyond which a triangle over the whole picture is drawn faster than they are once more. */
+const MANY = 1000;
+
 /** Of a row of the lines' texture: what is added to the style to shorten the line at its first end, and at its second. */
 export const SHORTENED = [8, 16];
 
@@ -174,7 +177,7 @@ export class LinesLayer {
   /** @param {boolean} once */
   #blendOnce(once) {
     this.#cover.visible = once;
-    this.#flood.visible = once && this.#oneColour && !this.darkBelow;
+    this.#flood.visible = once && this.#oneColour && !this.darkBelow && this.#count > MANY;
     this.#ink.visible = !this.#flood.visible;
     const { material } = this.#ink;
     material.uniforms.stage.value = once ? STAGES.ink : STAGES.blend;
