@@ -9,7 +9,7 @@ from playwright.sync_api import Page
 
 from hexalab.surface import MODES
 
-from . import dragging
+from . import dragging, resting
 from .clock import table
 from .grids import PICKED, SIZES, grid_file
 from .page import viewer
@@ -67,6 +67,7 @@ def run(folder: Path) -> None:
         picked,
     )
     table("browser: surface of the half cut, in the core, median of 5 [ms]", ["mesh", *MODES], surfaces)
+    resting.run(folder)
     dragging.run(folder, "direct")
     dragging.run(folder)
 
