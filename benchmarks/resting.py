@@ -52,7 +52,8 @@ def run(folder: Path) -> None:
 
 
 def _median(page: Page) -> float:
-    return statistics.median(page.evaluate(REDRAW, PICTURES))
+    times: list[float] = page.evaluate(REDRAW, PICTURES)
+    return statistics.median(times)
 
 
 def _outlined(page: Page) -> float:
