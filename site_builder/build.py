@@ -54,6 +54,8 @@ class BuildReport:
         Numbers of pages, sources and meshes in the site; of meshes measured, pictures taken and files changed in this
         run.
     seconds : float
+    weight : int
+        Bytes that a first visit brings over the wire, gzipped; 0 without the viewer.
     sizes : dict of str to int
         Bytes by the first part of the address.
     warnings : list of Problem
@@ -68,6 +70,7 @@ class BuildReport:
     taken: int = 0
     changed: int = 0
     seconds: float = 0.0
+    weight: int = 0
     sizes: dict[str, int] = field(default_factory=dict)
     warnings: list[Problem] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
@@ -82,6 +85,7 @@ class BuildReport:
                 f"({self.measured} measured, {self.taken} pictures taken), {self.changed:,} files changed, "
                 f"{file_size(sum(self.sizes.values()))} in {self.seconds:.1f} s",
                 *(f"  {file_size(size):>9}  {name}" for name, size in largest),
+                *([f"a first visit: {file_size(self.weight)} gzipped"] if self.weight else []),
                 *self.notes,
             )
         )
@@ -139,10 +143,10 @@ def build(
     thumbnails = Thumbnails(cache)
     collection = Collection(catalogue)
     album = Album(cache)
-    taken, trouble = 0, ""
+    taken, trouble, weight = 0, "", 0
     if runtime:
         tell("the viewer and its Python", 0.35)
-        _add_viewer(Pages(catalogue, set()), output)
+        weight = _add_viewer(Pages(catalogue, set()), output)
     if runtime and pictures:
         shots = [*map(thumbnails.shot, thumbnails.wanted(catalogue)), *collection.figures.values()]
         taken, trouble = take_missing(shots, out, album, lambda what, part: tell(what, 0.4 + 0.5 * part))
@@ -166,6 +170,7 @@ def build(
         taken=taken,
         changed=output.changed,
         seconds=time.perf_counter() - began,
+        weight=weight,
         sizes=_sizes(out),
         warnings=warnings,
         notes=[note for note in (trouble, "" if interface.installed() else interface.NOT_INSTALLED) if note],
@@ -247,9 +252,10 @@ def _add_indexes(catalogue: Catalogue, output: Output, pages: list[str], picture
             output.write(f"{source.page}{source.slug}.{name}", writer([source.reference]))
 
 
-def _add_viewer(pages: Pages, output: Output) -> None:
+def _add_viewer(pages: Pages, output: Output) -> int:
+    """Put the viewer into the site; give the bytes that a first visit brings over the wire."""
     try:
-        from .runtime import assemble
+        from .runtime import MOST, assemble, first_visit, gzipped
 
         report = assemble(output.root)
     except (ImportError, RuntimeError, OSError) as error:
@@ -259,6 +265,7 @@ def _add_viewer(pages: Pages, output: Output) -> None:
 
     html = pages.viewer(
         script="../" + report.scripts["main"],
+        imports=["../" + script for script in report.imports],
         worker="../" + report.scripts["worker"],
         runtime="../" + report.runtime,
         style="../styles/viewer.css",
@@ -266,6 +273,12 @@ def _add_viewer(pages: Pages, output: Output) -> None:
         tables=viewer_tables(),
     )
     output.write("viewer/index.html", html)
+    files = first_visit(output.root, [*report.scripts.values(), *report.imports], report.runtime)
+    weight = gzipped(files)
+    if weight > MOST:
+        message = f"a first visit weighs {file_size(weight)} gzipped, {file_size(MOST)} are allowed"
+        raise BuildError([Problem("error", "site_builder/runtime", 0, "", message)])
+    return weight
 
 
 def _sizes(out: Path) -> dict[str, int]:

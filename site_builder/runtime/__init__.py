@@ -1,5 +1,6 @@
 """What the browser runs: the interpreter, the core as a wheel, the bundled viewer; all from the site's own folder."""
 
 from .assemble import RuntimeReport, assemble
+from .weight import MOST, first_visit, gzipped
 
-__all__ = ["RuntimeReport", "assemble"]
+__all__ = ["MOST", "RuntimeReport", "assemble", "first_visit", "gzipped"]

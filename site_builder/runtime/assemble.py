@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from .bundle import bundle
+from .bundle import Bundle, bundle
 from .interpreter import copy_interpreter
 from .wheel import core_wheel
 
@@ -25,11 +25,14 @@ class RuntimeReport:
     ----------
     scripts : dict of str to str
         "main" and "worker" to their files' addresses, relative to the site's root.
+    imports : list of str
+        Addresses of what these scripts import before they run.
     runtime : str
         Address of the interpreter's folder, relative to the site's root, ending in a slash.
     """
 
     scripts: dict[str, str]
+    imports: list[str]
     runtime: str
 
 
@@ -72,13 +75,17 @@ def assemble(out: Path, cache: Path | None = None) -> RuntimeReport:
         _forget(cache, "viewer-*")
         bundles.mkdir(parents=True)
         index.write_text(json.dumps(bundle(ROOT, bundles)))
-    names: dict[str, str] = json.loads(index.read_text())
+    entries: dict[str, Bundle] = json.loads(index.read_text())
     bundled = {path.name for path in bundles.iterdir()} - {"index.json"}
     for old in (out / "viewer").glob("*-*.js*"):
         if old.name not in bundled:
             old.unlink()
     _copy_tree(bundles, out / "viewer", leave_out=frozenset({"index.json"}))
-    return RuntimeReport({entry: f"viewer/{name}" for entry, name in names.items()}, f"{runtime}/")
+    return RuntimeReport(
+        {name: f"viewer/{one['script']}" for name, one in entries.items()},
+        [f"viewer/{script}" for one in entries.values() for script in one["imports"]],
+        f"{runtime}/",
+    )
 
 
 def _contents(paths: Iterable[Path]) -> list[bytes]:

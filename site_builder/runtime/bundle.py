@@ -5,11 +5,19 @@ from __future__ import annotations
 import json
 import subprocess
 from pathlib import Path
+from typing import TypedDict
 
 ENTRIES = {"main": "static/viewer/main.js", "worker": "static/viewer/core/worker.js"}
 
 
-def bundle(root: Path, out: Path) -> dict[str, str]:
+class Bundle(TypedDict):
+    """A script as the page links it, and the scripts that come with it before it runs; names of files."""
+
+    script: str
+    imports: list[str]
+
+
+def bundle(root: Path, out: Path) -> dict[str, Bundle]:
     """Bundle the viewer into `out`.
 
     Parameters
@@ -21,8 +29,8 @@ def bundle(root: Path, out: Path) -> dict[str, str]:
 
     Returns
     -------
-    dict of str to str
-        Name of the entry to name of its file in `out`.
+    dict of str to Bundle
+        By the name of the entry.
     """
     meta = out / "meta.json"
     command = [
@@ -41,7 +49,12 @@ def bundle(root: Path, out: Path) -> dict[str, str]:
     meta.unlink()
     names = {path: name for name, path in ENTRIES.items()}
     return {
-        names[entry["entryPoint"]]: Path(path).name
+        names[entry["entryPoint"]]: {
+            "script": Path(path).name,
+            "imports": [
+                Path(one["path"]).name for one in entry["imports"] if one["kind"] == "import-statement"
+            ],
+        }
         for path, entry in outputs.items()
         if entry.get("entryPoint") in names
     }

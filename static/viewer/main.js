@@ -29,7 +29,7 @@ const { scene, lack } = makeScene();
 const app = new App({ store, facts, client, scene, tables, canvas, root: /** @type {string} */ (root) });
 const page = new Page({ store, facts, app, tables }, canvas);
 
-app.start();
+app.start({ addressed: new URLSearchParams(location.search).has("mesh") });
 if (lack) app.messages.say("error", lack);
 new Tools(app, canvas);
 listenToDrops(app);

@@ -70,8 +70,12 @@ export class App {
     this.batch = new Batch(this);
   }
 
-  /** Wait for the core and the catalogue, and listen to what can go wrong. */
-  start() {
+  /**
+   * Wait for the core and the catalogue, and listen to what can go wrong.
+   *
+   * @param {{ addressed?: boolean }} [options] whether a mesh is about to be opened, whose preview has the GPU for itself
+   */
+  start({ addressed = false } = {}) {
     const { client, scene, facts, store, messages } = this;
     const began = performance.now();
     const starting = this.progress.begin(loadingInWords(0));
@@ -80,8 +84,8 @@ export class App {
     const watch = new StartWatch(client, messages);
     client.ready
       .then(
-        () => {
-          this.note({ boot: performance.now() - began });
+        (/** @type {import("../core/client.js").Start} */ start) => {
+          this.note({ boot: performance.now() - began, ...start });
           facts.set({ core: "ready" });
         },
         (/** @type {Error} */ error) => {
@@ -132,7 +136,7 @@ export class App {
     rememberPreferences(facts);
     this.steps.start();
     void this.lastFiles.start();
-    setTimeout(() => scene.warmUp());
+    if (!addressed) setTimeout(() => scene.warmUp());
   }
 
   async #restarted() {

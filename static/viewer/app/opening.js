@@ -69,7 +69,7 @@ export class Opening {
    * @throws {Error} what could not be read, in words that were also shown
    */
   async open(origin) {
-    const { progress, messages, client } = this.#app;
+    const { progress, messages, client, scene } = this.#app;
     const turn = ++this.#turn;
     const began = performance.now();
     const task = progress.begin(`fetching ${origin.name}`);
@@ -78,6 +78,7 @@ export class Opening {
     };
     try {
       const preview = this.#preview(origin, current);
+      void preview.then((shown) => shown || scene.warmUp()); // while the core starts
       const bytes = await origin.bytes((fraction, text) => task.report(fraction, text));
       current();
       task.report(
@@ -234,6 +235,8 @@ export class Opening {
       if (this.#app.facts.get("core") === "ready") return false;
       this.#enter(origin, packed.summary);
       this.#app.drawing.show(packed);
+      await this.#app.drawing.drawn();
+      this.#app.note({ preview: performance.now() });
       return true;
     } catch {
       return false; // the mesh itself is on its way

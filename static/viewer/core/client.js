@@ -19,7 +19,7 @@ import { question } from "./question.js";
  * @typedef {{ kind: string, message: string }} Failure  `kind` is the Python exception's name, e.g. "MeshReadError"
  *
  * @typedef {object} Listener  what a transport tells
- * @property {(timings: { interpreter: number, core: number }) => void} ready the core can be asked; milliseconds of its start
+ * @property {(timings: Start) => void} ready the core can be asked; milliseconds of its start
  * @property {(failure: Failure) => void} failed it can't be started
  * @property {(id: number, packed: ArrayBuffer, milliseconds: number) => void} answered
  * @property {(failure: Failure) => void} broken it can't go on, with the question that is under way if there is one
@@ -58,7 +58,7 @@ export class CoreError extends Error {
  * @typedef {{ id: number, method: string, args: readonly unknown[] | (() => readonly unknown[]), replace?: string,
  *   resolve: (value: unknown) => void, reject: (error: Error) => void }} Call
  *
- * @typedef {{ interpreter: number, core: number }} Start  milliseconds of the core's start
+ * @typedef {{ interpreter: number, numpy: number, core: number }} Start  milliseconds of the core's start
  */
 
 export class CoreClient extends EventTarget {

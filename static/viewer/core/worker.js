@@ -37,10 +37,16 @@ async function boot(runtime) {
   checkWebAssembly();
   pyodide = await Promise.race([load(runtime), missingFile(runtime)]);
   const interpreter = performance.now();
+  pyodide.pyimport("numpy").destroy();
+  const numpy = performance.now();
   const { Door } = pyodide.pyimport("hexalab.session.door");
   door = Door();
   setTimeout(() => asked || pyodide.pyimport("hexalab.session.warm_up").warm_up(Door()), IDLE);
-  return { interpreter: interpreter - began, core: performance.now() - interpreter };
+  return {
+    interpreter: interpreter - began,
+    numpy: numpy - interpreter,
+    core: performance.now() - numpy,
+  };
 }
 
 /** @param {string} runtime @returns {Promise<import("pyodide").PyodideAPI>} */

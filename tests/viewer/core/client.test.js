@@ -51,7 +51,7 @@ function client() {
 /** @param {Event} event */
 const detailOf = (event) => /** @type {CustomEvent} */ (event).detail;
 /** @param {ManualWorker} worker */
-const boot = (worker) => worker.reply({ ready: { interpreter: 1, core: 1 } });
+const boot = (worker) => worker.reply({ ready: { interpreter: 1, numpy: 1, core: 1 } });
 /** @param {ManualWorker} worker */
 const calls = (worker) => worker.sent.filter((message) => message.method);
 /** @param {ManualWorker} worker */

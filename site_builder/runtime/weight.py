@@ -1,0 +1,31 @@
+"""What a first visit brings over the wire (SPEC P8): viewer and Python, gzipped as hosts of static pages send them."""
+
+from __future__ import annotations
+
+import gzip
+from collections.abc import Iterable
+from pathlib import Path
+
+MOST = 8_000_000
+"""Bytes that a first visit may weigh; the build fails above."""
+
+
+def gzipped(files: Iterable[Path]) -> int:
+    """Bytes of these files together, each gzipped at level 6, or as it is where that is smaller."""
+    return sum(min(len(data), len(gzip.compress(data, 6))) for data in map(Path.read_bytes, files))
+
+
+def first_visit(site: Path, scripts: Iterable[str], runtime: str) -> list[Path]:
+    """The files that the viewer fetches before a mesh is opened.
+
+    Parameters
+    ----------
+    site : Path
+        The site's root.
+    scripts : iterable of str
+        Addresses of the viewer's scripts, relative to the root: those that start, and what these import.
+    runtime : str
+        Address of the interpreter's folder.
+    """
+    page = [site / "viewer" / "index.html", site / "styles" / "viewer.css", site / "catalogue.json"]
+    return [*page, *(site / script for script in scripts), *sorted((site / runtime).iterdir())]
