@@ -60,7 +60,7 @@ def serve(folder: Path) -> Iterator[str]:
 def viewer(folder: Path) -> Iterator[tuple[Page, str, list[str]]]:
     """The viewer, ready, in a window of 1280 x 800; yields page, address and the console's errors so far."""
     with serve(folder) as address, browser() as chromium:
-        page = chromium.new_page(viewport=WINDOW)
+        page = chromium.new_page(viewport=WINDOW, service_workers="block")
         errors: list[str] = []
         page.on("console", lambda message: errors.append(message.text) if message.type == "error" else None)
         page.on("pageerror", lambda error: errors.append(str(error)))

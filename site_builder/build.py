@@ -18,8 +18,8 @@ from .model.catalogue import Catalogue, Problem
 from .model.problems import disagreements, problem_of
 from .output import Output
 from .pages import indexes, interface
+from .pages.assets import assets
 from .pages.pages import LOCAL, Pages
-from .pages.styles import style_sheets
 from .pages.words import file_size
 from .pictures import Album, png_size, take_missing
 from .pictures.collection import Collection
@@ -159,7 +159,10 @@ def build(
         addresses.append(page)
         if number % 50 == 0:
             tell(f"page {page or 'index.html'}", 0.9 + 0.1 * number / (len(catalogue.meshes) + 40))
-    _add_indexes(catalogue, output, addresses, shown)
+    listed = [page for page in addresses if not page.startswith("offline/")]
+    _add_indexes(catalogue, output, listed, shown)
+    if weight:
+        _add_service_worker(catalogue, output)
     output.clean()
     tell("done", 1.0)
     return BuildReport(
@@ -231,13 +234,10 @@ def _add_figures(collection: Collection, output: Output, album: Album) -> dict[s
 
 
 def _add_static(output: Output) -> None:
-    """Styles, scripts of the catalogue, icon; what else lies in `static/` goes to the root."""
-    for name, sheet in style_sheets().items():
-        output.write(f"styles/{name}.css", sheet)
-    for file in sorted((STATIC / "catalogue").glob("*.*")):
-        output.copy(f"catalogue/{file.name}", file)
-    for file in sorted(STATIC.glob("*.*")):
-        output.copy(file.name, file)
+    """Styles, scripts of the pages, icon."""
+    for address, content in assets().files.items():
+        output.write(address, content)
+    output.copy("icon.svg", STATIC / "icon.svg")
 
 
 def _add_indexes(catalogue: Catalogue, output: Output, pages: list[str], pictures: set[str]) -> None:
@@ -268,17 +268,32 @@ def _add_viewer(pages: Pages, output: Output) -> int:
         imports=["../" + script for script in report.imports],
         worker="../" + report.scripts["worker"],
         runtime="../" + report.runtime,
-        style="../styles/viewer.css",
+        style="../" + assets().styles["viewer"],
         favicon="../icon.svg",
         tables=viewer_tables(),
     )
     output.write("viewer/index.html", html)
-    files = first_visit(output.root, [*report.scripts.values(), *report.imports], report.runtime)
+    files = first_visit(
+        output.root, assets().styles["viewer"], [*report.scripts.values(), *report.imports], report.runtime
+    )
     weight = gzipped(files)
     if weight > MOST:
         message = f"a first visit weighs {file_size(weight)} gzipped, {file_size(MOST)} are allowed"
         raise BuildError([Problem("error", "site_builder/runtime", 0, "", message)])
     return weight
+
+
+def _add_service_worker(catalogue: Catalogue, output: Output) -> None:
+    """What makes the site work without a network: the viewer, and the catalogue's pages but those of its meshes."""
+    from .runtime import service_worker
+
+    shell = {"index.html", "viewer/index.html", "offline/missing/index.html", "catalogue.json", "search.json"}
+    shell |= {"icon.svg", "about/index.html", *assets().files}
+    shell |= {f"{source.page}index.html" for source in catalogue.sources}
+    for folder in ("viewer", "runtime-*"):
+        files = (file for top in output.root.glob(folder) for file in top.glob("*") if file.suffix != ".map")
+        shell |= {file.relative_to(output.root).as_posix() for file in files}
+    output.write("service_worker.js", service_worker(ROOT, output.root, shell))
 
 
 def _sizes(out: Path) -> dict[str, int]:

@@ -6,7 +6,10 @@ import filecmp
 import shutil
 from pathlib import Path
 
-OWNED = ("about", "catalogue", "datasets", "gallery", "guide", "meshes", "pictures", "sources", "styles")
+OWNED = (
+    "about", "catalogue", "datasets", "gallery", "guide", "meshes", "offline", "pictures", "scripts", "sources",
+    "styles",
+)  # fmt: skip
 """Folders in which nothing may lie that this build hasn't written."""
 
 

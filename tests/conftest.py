@@ -6,6 +6,7 @@ import os
 import re
 from collections import Counter
 from collections.abc import Iterator
+from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -54,10 +55,18 @@ def pytest_terminal_summary(terminalreporter: Any, config: pytest.Config) -> Non
         terminalreporter.line(f"LEFT OUT: {len(modules)} modules of tests need hypothesis", yellow=True)
 
 
+BLOCKED: dict[str, Any] = {"service_workers": "block"}
+
+
 @pytest.fixture(scope="session")
 def chromium() -> Iterator[Browser]:
-    """The one Chromium of all tests: Playwright runs but once in a thread."""
+    """The one Chromium of all tests: Playwright runs but once in a thread.
+
+    Its pages keep nothing for when there is no network, unless a test asks for it: no test meets what another has kept.
+    """
     from hexalab.hosts.browser import browser
 
-    with browser() as running:
+    with browser() as running, pytest.MonkeyPatch.context() as patch:
+        for name in ("new_context", "new_page"):
+            patch.setattr(running, name, partial(getattr(running, name), **BLOCKED))
         yield running

@@ -23,6 +23,9 @@ HOUSES = {
 }
 """Heading of a table in docs/architecture.md to the folder whose rooms it orders."""
 
+OFFLINE = ROOT / "static" / "offline"
+"""What viewer, catalogue and service worker share: it knows none of them."""
+
 Edge = tuple[Path, Path]
 
 
@@ -72,7 +75,8 @@ def javascript_imports(file: Path) -> Iterator[Path]:
 def edges_of(house: Path) -> list[Edge]:
     if house.name == "viewer":
         files = sorted(house.rglob("*.js"))
-        return [(file, other) for file in files for other in javascript_imports(file)]
+        edges = [(file, other) for file in files for other in javascript_imports(file)]
+        return [(file, other) for file, other in edges if other.parent != OFFLINE]
     files = sorted(house.rglob("*.py"))
     return [(file, other) for file in files for other in python_imports(file, house) if other != file]
 
@@ -127,3 +131,10 @@ def test_X1_the_core_knows_no_site_builder() -> None:
                 assert not (node.module or "").startswith("site_builder"), file
             if isinstance(node, ast.Import):
                 assert not any(alias.name.startswith("site_builder") for alias in node.names), file
+
+
+def test_X1_what_all_pages_share_knows_none_of_them() -> None:
+    files = list(OFFLINE.glob("*.js"))
+    assert files
+    for file in files:
+        assert {other.parent for other in javascript_imports(file)} <= {OFFLINE}

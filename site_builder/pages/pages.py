@@ -18,6 +18,7 @@ from ..model.catalogue import Catalogue, MeshEntry, Source
 from ..model.facts import Statistics
 from ..pictures.collection import Collection
 from . import interface, metadata, words
+from .assets import assets
 from .facets import FACETS, counts
 from .histogram import draw
 from .indexes import INDEX_VERSION
@@ -83,6 +84,7 @@ class Pages:
             ),
             json_ld=None,
             interface=interface.installed(),
+            assets=assets(),
         )
 
     def all(self) -> Iterator[tuple[str, str]]:
@@ -91,6 +93,7 @@ class Pages:
         yield "gallery/", self.gallery()
         yield "guide/", self.guide()
         yield "about/", self.about()
+        yield "offline/missing/", self.missing()
         if interface.installed():
             yield "python/", self.interface()
         for source in self._catalogue.sources:
@@ -128,6 +131,15 @@ class Pages:
             description=self._catalogue.description or self._catalogue.title,
             index_version=INDEX_VERSION,
             semi_structured=words.SEMI_STRUCTURED,
+        )
+
+    def missing(self) -> str:
+        """What stands for a page that this browser has not kept, when there is no network."""
+        return self._render(
+            "missing",
+            "offline/missing/",
+            heading="This page is not kept here",
+            description="Without a network, pages that were visited can be seen.",
         )
 
     def gallery(self) -> str:

@@ -15,17 +15,19 @@ def gzipped(files: Iterable[Path]) -> int:
     return sum(min(len(data), len(gzip.compress(data, 6))) for data in map(Path.read_bytes, files))
 
 
-def first_visit(site: Path, scripts: Iterable[str], runtime: str) -> list[Path]:
+def first_visit(site: Path, style: str, scripts: Iterable[str], runtime: str) -> list[Path]:
     """The files that the viewer fetches before a mesh is opened.
 
     Parameters
     ----------
     site : Path
         The site's root.
+    style : str
+        Address of the style sheet, relative to the root.
     scripts : iterable of str
-        Addresses of the viewer's scripts, relative to the root: those that start, and what these import.
+        Addresses of the viewer's scripts: those that start, and what these import.
     runtime : str
         Address of the interpreter's folder.
     """
-    page = [site / "viewer" / "index.html", site / "styles" / "viewer.css", site / "catalogue.json"]
+    page = [site / "viewer" / "index.html", site / style, site / "catalogue.json"]
     return [*page, *(site / script for script in scripts), *sorted((site / runtime).iterdir())]

@@ -5,9 +5,11 @@ import { Drawing } from "./drawing.js";
 import { Measures } from "./measures.js";
 import { Messages } from "./messages.js";
 import { Figures } from "./figures.js";
+import { Fetching } from "./fetching.js";
 import { Files, foundOf } from "./files.js";
 import { LastFiles } from "./last_files.js";
-import { fromUrl, Opening } from "./opening.js";
+import { NewVersion } from "./new_version.js";
+import { Opening } from "./opening.js";
 import { rememberPreferences } from "./preferences.js";
 import { Progress } from "./progress.js";
 import { Saving } from "./saving.js";
@@ -61,6 +63,7 @@ export class App {
     this.documents = new Documents(this);
     this.cells = new Cells(this);
     this.saving = new Saving(this);
+    this.fetching = new Fetching(this);
     this.opening = new Opening(this);
     this.views = new Views(this);
     this.files = new Files(this);
@@ -68,6 +71,7 @@ export class App {
     this.steps = new Steps(this);
     this.lastFiles = new LastFiles(this);
     this.batch = new Batch(this);
+    this.newVersion = new NewVersion(this);
   }
 
   /**
@@ -101,6 +105,7 @@ export class App {
       .finally(() => {
         starting.end();
         watch.end();
+        void this.newVersion.start();
       });
     client.addEventListener("identified", (event) => {
       const { sha256, bytes } = /** @type {CustomEvent<{ sha256: string, bytes?: ArrayBuffer }>} */ (event)
@@ -193,8 +198,8 @@ export class App {
   async openUrl(address, status) {
     this.steps.leave();
     const whole = this.#meshAddress(address);
-    const summary = await this.opening.open({ ...fromUrl(whole), status });
-    this.steps.add(whole, () => this.opening.open(fromUrl(whole)));
+    const summary = await this.opening.open({ ...this.fetching.from(whole), status });
+    this.steps.add(whole, () => this.opening.open(this.fetching.from(whole)));
     return summary;
   }
 
@@ -241,8 +246,9 @@ export class App {
       throw error;
     }
     const url = this.#meshAddress(entry.mesh.url);
-    const summary = await this.opening.open({ ...fromUrl(url), entry, status });
-    this.steps.add(`${source}/${mesh}`, () => this.opening.open({ ...fromUrl(url), entry }));
+    const origin = { ...this.fetching.from(url, entry.mesh.sha256 ?? ""), entry };
+    const summary = await this.opening.open({ ...origin, status });
+    this.steps.add(`${source}/${mesh}`, () => this.opening.open(origin));
     return summary;
   }
 

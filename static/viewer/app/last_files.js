@@ -1,3 +1,5 @@
+import { statusToHash } from "../state/link.js";
+
 /**
  * The files that were opened last, kept in this browser, so that they can be opened again after a reload: their contents in a
  * database, the settings that they were seen under beside.
@@ -9,6 +11,10 @@ const DATABASE = "hexalab";
 const STORE = "last";
 const STATUS = "hexalab.last-status";
 
+/** What is open while the page is loaded again, in the database; that it is so, in the session's storage. */
+const HELD = "held";
+const MARK = "hexalab.held";
+
 /** Bytes up to which files are kept. */
 const MOST = 256 * 2 ** 20;
 
@@ -19,6 +25,8 @@ export class LastFiles {
   #app;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #writing;
+  /** What is open, if it came as files. @type {readonly Found[] | null} */
+  #open = null;
 
   /** @param {import("./app.js").App} app */
   constructor(app) {
@@ -30,6 +38,7 @@ export class LastFiles {
     const { store, facts } = this.#app;
     store.on("*", () => this.#writeSoon());
     facts.on("remember", (on) => !on && void this.forget());
+    if (await this.#resume()) return;
     const found = facts.get("remember") ? await this.#read() : null;
     if (!found?.length || facts.get("summary")) return;
     const press = () => this.#again(found);
@@ -38,6 +47,7 @@ export class LastFiles {
 
   /** @param {readonly Found[]} found */
   async keep(found) {
+    this.#open = found;
     this.#app.facts.set({ again: null });
     const size = found.reduce((sum, { file }) => sum + file.size, 0);
     if (!this.#app.facts.get("remember") || size > MOST) return this.forget();
@@ -52,9 +62,40 @@ export class LastFiles {
     await this.#transact("readwrite", (store) => store.delete("files"));
   }
 
-  /** @param {readonly Found[]} found */
-  async #again(found) {
-    const status = kept(() => JSON.parse(localStorage.getItem(STATUS) ?? "null"));
+  /**
+   * Hold what is open and its settings while the page is loaded again, whatever its size and whether it may be remembered.
+   *
+   * @throws {DOMException} where the browser keeps nothing, or its storage is full
+   */
+  async hold() {
+    const { facts, store } = this.#app;
+    if (!facts.get("summary")) return;
+    if (new URLSearchParams(location.search).has("mesh")) {
+      history.replaceState(history.state, "", `#${await statusToHash(store.status, store.defaults)}`);
+      return;
+    }
+    if (!this.#open) throw new Error("it is no file of this machine");
+    const files = [...this.#open];
+    await transact("readwrite", (held) => held.put({ files, status: store.status }, HELD));
+    sessionStorage.setItem(MARK, HELD);
+  }
+
+  /** Come back to what was held. @returns {Promise<boolean>} whether something was */
+  async #resume() {
+    const marked = kept(() => sessionStorage.getItem(MARK));
+    kept(() => sessionStorage.removeItem(MARK));
+    if (!marked) return false;
+    const held = /** @type {{ files: Found[], status: unknown } | null} */ (
+      await this.#transact("readonly", (store) => store.get(HELD))
+    );
+    await this.#transact("readwrite", (store) => store.delete(HELD));
+    if (held) await this.#again(held.files, held.status);
+    return Boolean(held);
+  }
+
+  /** @param {readonly Found[]} found @param {unknown} [known] its settings, those that were written last without */
+  async #again(found, known) {
+    const status = known ?? kept(() => JSON.parse(localStorage.getItem(STATUS) ?? "null"));
     const { documents, drawing } = this.#app;
     try {
       await this.#app.openFiles(found);
@@ -88,17 +129,22 @@ export class LastFiles {
    */
   async #transact(mode, ask) {
     try {
-      const opening = indexedDB.open(DATABASE, 1);
-      opening.onupgradeneeded = () => opening.result.createObjectStore(STORE);
-      const database = await answerOf(opening);
-      try {
-        return (await answerOf(ask(database.transaction(STORE, mode).objectStore(STORE)))) ?? null;
-      } finally {
-        database.close();
-      }
+      return await transact(mode, ask);
     } catch {
       return null;
     }
+  }
+}
+
+/** @param {IDBTransactionMode} mode @param {(store: IDBObjectStore) => IDBRequest} ask @returns {Promise<unknown>} */
+async function transact(mode, ask) {
+  const opening = indexedDB.open(DATABASE, 1);
+  opening.onupgradeneeded = () => opening.result.createObjectStore(STORE);
+  const database = await answerOf(opening);
+  try {
+    return (await answerOf(ask(database.transaction(STORE, mode).objectStore(STORE)))) ?? null;
+  } finally {
+    database.close();
   }
 }
 

@@ -1,5 +1,4 @@
 import { Superseded } from "../core/client.js";
-import { nameIn } from "./address.js";
 import { download } from "../files/download.js";
 import { unpack } from "../files/packing.js";
 import { NEW_MESH } from "../state/facts.js";
@@ -38,11 +37,6 @@ export async function bytesOf(file) {
     const reason = "it was changed, moved or deleted on the disk since it was chosen: choose it again";
     throw new Error(`${file.name ?? "the file"} can't be read any more: ${reason}`, { cause });
   }
-}
-
-/** @param {string} address a whole one @returns {Origin} */
-export function fromUrl(address) {
-  return { name: nameIn(address), bytes: (report) => download(address, report) };
 }
 
 /**

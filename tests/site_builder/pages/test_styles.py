@@ -6,6 +6,7 @@ from statistics import median
 import pytest
 
 from hexalab import HexaLabError
+from site_builder.pages.assets import assets
 from site_builder.pages.styles import SHEETS, STYLES, style_sheets
 
 
@@ -59,8 +60,9 @@ def test_the_parts_are_short():
 
 
 def test_a_page_links_one_sheet_and_the_site_has_no_other(site):
-    assert sorted(file.name for file in (site / "styles").rglob("*")) == ["catalogue.css", "viewer.css"]
+    sheets = assets().styles
+    assert {f"styles/{file.name}" for file in (site / "styles").rglob("*")} == set(sheets.values())
     for page in site.rglob("*.html"):
         links = re.findall(r'<link rel="stylesheet" href="([^"]*)"', page.read_text("utf-8"))
-        assert [(page.parent / link).resolve() for link in links] == [site.resolve() / "styles/catalogue.css"]
-    assert (site / "styles/viewer.css").read_text("utf-8") == style_sheets()["viewer"]
+        assert [(page.parent / link).resolve() for link in links] == [site.resolve() / sheets["catalogue"]]
+    assert (site / sheets["viewer"]).read_text("utf-8") == style_sheets()["viewer"]

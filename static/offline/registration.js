@@ -1,0 +1,75 @@
+/**
+ * Have the site kept for when there is no network: its service worker, and what happens when there is a new version.
+ *
+ *     const registration = new Registration(new URL("../", location.href));
+ *     registration.addEventListener("update", () => ...);  // a new version waits
+ *     await registration.start();
+ *
+ * Events: "update" when a new version waits to be taken; "taken" when this page is served by another version than before,
+ * because this page or another one took it; "kept" when the site can be used without a network.
+ */
+export class Registration extends EventTarget {
+  #root;
+  /** @type {ServiceWorkerRegistration | null} */
+  #registration = null;
+
+  /** @param {URL} root of the site */
+  constructor(root) {
+    super();
+    this.#root = root;
+  }
+
+  /** Why this browser keeps nothing, in words; empty where it does. */
+  get lack() {
+    if (!globalThis.isSecureContext)
+      return "the page does not come over https: browsers keep pages of secure sites alone";
+    if (!("serviceWorker" in navigator))
+      return "this browser keeps no pages here: it may be a private window, or service workers are switched off";
+    return "";
+  }
+
+  /** @returns {Promise<string>} why the site is not kept, in words; empty if it is, or will be */
+  async start() {
+    if (this.lack) return this.lack;
+    const { serviceWorker } = navigator;
+    let served = Boolean(serviceWorker.controller);
+    serviceWorker.addEventListener("controllerchange", () => {
+      if (served) this.dispatchEvent(new Event("taken"));
+      served = true;
+    });
+    try {
+      const registration = await serviceWorker.register(new URL("service_worker.js", this.#root), {
+        scope: this.#root.pathname,
+        updateViaCache: "none",
+      });
+      this.#registration = registration;
+      if (registration.waiting) this.#tell();
+      registration.addEventListener("updatefound", () => {
+        const coming = registration.installing;
+        coming?.addEventListener("statechange", () => {
+          if (coming.state === "installed" && serviceWorker.controller) this.#tell();
+          if (coming.state === "activated") this.dispatchEvent(new Event("kept"));
+        });
+      });
+      return "";
+    } catch (error) {
+      return error instanceof Error ? error.message : String(error);
+    }
+  }
+
+  /** Look whether there is a new version. */
+  async look() {
+    await this.#registration?.update().catch(() => {}); // without a network there is none
+  }
+
+  /** Take the new version: "taken" follows, and the page is to be loaded again. @returns {boolean} whether one waits */
+  take() {
+    const waiting = this.#registration?.waiting;
+    waiting?.postMessage({ take: true });
+    return Boolean(waiting);
+  }
+
+  #tell() {
+    this.dispatchEvent(new Event("update"));
+  }
+}

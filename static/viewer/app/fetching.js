@@ -1,0 +1,54 @@
+import { Shelf } from "../../offline/shelf.js";
+import { download } from "../files/download.js";
+import { nameIn } from "./address.js";
+
+/** @typedef {import("./opening.js").Origin} Origin */
+
+/**
+ * Fetches meshes by their address, and keeps them for when there is no network. One whose content is known by its SHA-256 comes
+ * from there at once; any other is fetched anew where there is a network.
+ */
+export class Fetching {
+  #app;
+  #shelf;
+
+  /** @param {import("./app.js").App} app */
+  constructor(app) {
+    this.#app = app;
+    this.#shelf = new Shelf(new URL(app.root, location.href));
+  }
+
+  /** @param {string} address a whole one @param {string} [sha256] of the file, where it is known @returns {Origin} */
+  from(address, sha256 = "") {
+    const name = nameIn(address);
+    return { name, bytes: (report) => this.#bytes(address, { name, sha256 }, report) };
+  }
+
+  /** @param {string} address @param {{ name: string, sha256: string }} facts @param {Parameters<Origin["bytes"]>[0]} report */
+  async #bytes(address, facts, report) {
+    const found = await this.#shelf.find(address);
+    if (found && facts.sha256 && found.row.sha256 === facts.sha256) return found.response.arrayBuffer();
+    try {
+      const bytes = await download(address, report);
+      if (address.startsWith("http")) await this.#keep(address, bytes, facts);
+      return bytes;
+    } catch (error) {
+      if (!found) throw error;
+      const date = found.row.date.toLocaleDateString("en-GB", { dateStyle: "long" });
+      this.#app.messages.say("note", `There is no network: ${facts.name} is as it was fetched on ${date}`, {
+        topic: "kept-mesh",
+      });
+      return found.response.arrayBuffer();
+    }
+  }
+
+  /** @param {string} address @param {ArrayBuffer} bytes @param {{ name: string, sha256: string }} facts */
+  async #keep(address, bytes, facts) {
+    try {
+      await this.#shelf.put(address, bytes, facts);
+    } catch {
+      const text = "The browser's storage is full: this mesh is not kept for when there is no network";
+      this.#app.messages.say("warning", text, { topic: "shelf" });
+    }
+  }
+}

@@ -1,0 +1,170 @@
+"""The site without a network, and a new version of it: real service workers, on a copy of the site below a path."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, BrowserContext, Page
+
+from benchmarks.page import SITE, WINDOW
+from hexalab.formats import write_medit
+from hexalab.hosts.serving import make_server
+from tests.browser.conftest import grid, planes
+
+CONTROLLED = """async () => {
+    await navigator.serviceWorker.ready;
+    while (!navigator.serviceWorker.controller) await new Promise((resolve) => setTimeout(resolve, 20));
+}"""
+OPEN = """async (bytes) => {
+    const opened = await window.hexalab.open(new File([new Uint8Array(bytes)], "grid.mesh"));
+    return opened.cells;
+}"""
+SHELF = """async ({ script, limit, puts }) => {
+    const { Shelf } = await import(script);
+    const shelf = new Shelf(new URL("https://shelf.example/"));
+    await shelf.setLimit(limit);
+    const put = [];
+    for (const [name, size, keep] of puts) {
+        put.push(await shelf.put(`https://mesh.example/${name}`, new ArrayBuffer(size), { name, keep }));
+        await new Promise((resolve) => setTimeout(resolve, 5));
+    }
+    const rows = await shelf.list();
+    for (const { address } of rows) await shelf.remove(address);
+    return [put, rows.map(({ name, size }) => [name, size])];
+}"""
+
+
+@pytest.fixture(scope="module")
+def published(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Path, str]]:
+    """Folder and address of the site as a host shows it, with pages of its own beside it."""
+    top = tmp_path_factory.mktemp("host")
+    folder = top / "hexalab"
+    folder.mkdir()
+    for entry in SITE.resolve().iterdir():
+        if entry.name == "service_worker.js":
+            (folder / entry.name).write_bytes(entry.read_bytes())
+        else:
+            (folder / entry.name).symlink_to(entry)
+    (top / "index.html").write_text("<!doctype html><title>Another site</title>")
+    with make_server(top) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield folder, f"{server.address}hexalab/"
+        server.shutdown()
+
+
+@contextmanager
+def visitor(chromium: Browser) -> Iterator[tuple[BrowserContext, Page]]:
+    """A browser of its own that may keep the site; its console has to stay silent."""
+    context = chromium.new_context(viewport=WINDOW, service_workers="allow")
+    page = context.new_page()
+    errors: list[str] = []
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    try:
+        yield context, page
+    finally:
+        context.close()
+    assert not errors
+
+
+def cells(page: Page) -> int:
+    """Cells of the mesh that is open, once one is."""
+    found: int = page.evaluate(
+        """async () => {
+            while (!window.hexalab?.summary()?.quality && !window.hexalab?.drawn().cells)
+                await new Promise((resolve) => setTimeout(resolve, 20));
+            return window.hexalab.summary().cells;
+        }"""
+    )
+    return found
+
+
+def test_O1_the_second_visit_needs_no_network(chromium: Browser, published: tuple[Path, str]) -> None:
+    _, address = published
+    with visitor(chromium) as (context, page):
+        page.goto(f"{address}viewer/?mesh=shapes/cube")
+        page.evaluate("() => window.hexalab.ready")
+        page.evaluate(CONTROLLED)
+        assert cells(page) == 512
+        page.goto(f"{address}sources/shapes/cube/")
+        context.set_offline(True)
+
+        page.goto(address)
+        page.get_by_role("searchbox").fill("twisted")
+        page.get_by_text("Twisted bar").first.wait_for()
+        for path, heading in (
+            ("sources/faults/", "HexaLab faults"),
+            ("sources/shapes/cube/index.html", "Cube"),
+            ("about/", "About"),
+            ("sources/shapes/bar/", "This page is not kept here"),
+        ):
+            page.goto(address + path)
+            assert heading in page.get_by_role("heading", level=1).inner_text()
+
+        page.goto(f"{address}viewer/?mesh=shapes/cube")
+        page.evaluate("() => window.hexalab.ready")
+        assert cells(page) == 512
+        assert page.evaluate(OPEN, list(write_medit.write(grid(3, 2, 2)))) == 12
+
+
+def test_O1_what_lies_beside_the_site_is_left_alone(chromium: Browser, published: tuple[Path, str]) -> None:
+    _, address = published
+    with visitor(chromium) as (_, page):
+        page.goto(address)
+        page.evaluate(CONTROLLED)
+        page.goto(address.removesuffix("hexalab/"))
+        assert page.title() == "Another site"
+        assert page.evaluate("() => navigator.serviceWorker.controller") is None
+        names = page.evaluate("() => caches.keys()")
+        assert names
+        assert all(name.endswith(address) for name in names)
+
+
+def test_O1_a_new_version_is_offered_and_nothing_is_lost(
+    chromium: Browser, published: tuple[Path, str]
+) -> None:
+    folder, address = published
+    with visitor(chromium) as (_, page):
+        page.goto(f"{address}viewer/")
+        page.evaluate("() => window.hexalab.ready")
+        page.evaluate(CONTROLLED)
+        assert page.evaluate(OPEN, list(write_medit.write(grid(3, 2, 2)))) == 12
+        page.evaluate("(status) => window.hexalab.setStatus(status)", planes(0.4))
+        before = page.evaluate("() => window.hexalab.getStatus()")
+
+        with (folder / "service_worker.js").open("a") as script:
+            script.write("\n// the next version\n")
+        page.evaluate("async () => { await (await navigator.serviceWorker.getRegistration()).update(); }")
+        offer = page.get_by_text("A new version of HexaLab is there")
+        offer.wait_for()
+        assert page.evaluate("() => window.hexalab.summary().cells") == 12  # not forced
+        with page.expect_navigation():
+            page.get_by_role("button", name="reload").click()
+        page.evaluate("async () => { while (!window.hexalab) await new Promise((r) => setTimeout(r, 20)); }")
+        page.evaluate("() => window.hexalab.ready")
+        assert cells(page) == 12
+        page.evaluate("() => window.hexalab.settled()")
+        assert page.evaluate("() => window.hexalab.getStatus()") == before
+        waiting = "async () => Boolean((await navigator.serviceWorker.getRegistration()).waiting)"
+        assert page.evaluate(waiting) is False
+
+
+def test_O1_opened_meshes_are_kept_up_to_a_limit(chromium: Browser, published: tuple[Path, str]) -> None:
+    _, address = published
+    (script,) = (SITE / "scripts").glob("*/offline/shelf.js")
+    where = f"{address}{script.relative_to(SITE).as_posix()}"
+    with visitor(chromium) as (_, page):
+        page.goto(f"{address}about/")
+        puts = [
+            ["a", 400, False],
+            ["kept", 900, True],
+            ["b", 400, False],
+            ["c", 400, False],
+            ["d", 1001, False],
+        ]
+        put, rows = page.evaluate(SHELF, {"script": where, "limit": 1000, "puts": puts})
+        assert put == [True, True, True, True, False]
+        assert rows == [["c", 400], ["b", 400], ["kept", 900]]
