@@ -1,6 +1,6 @@
 """`make bench`: every figure of the specification that a machine can print, in a few minutes.
 
-python -m benchmarks [native] [archives] [browser] [lighting]
+python -m benchmarks [native] [archives] [start] [browser] [lighting]
 """
 
 from __future__ import annotations
@@ -10,9 +10,15 @@ import platform
 import sys
 from pathlib import Path
 
-from . import archives, browser, lighting, native
+from . import archives, browser, lighting, native, start
 
-PARTS = {"native": native.run, "archives": archives.run, "browser": browser.run, "lighting": lighting.run}
+PARTS = {
+    "native": native.run,
+    "archives": archives.run,
+    "start": start.run,
+    "browser": browser.run,
+    "lighting": lighting.run,
+}
 FOLDER = Path("build/bench")
 
 

@@ -42,7 +42,6 @@ def run(folder: Path) -> None:
     """Print the browser's tables."""
     for name in SIZES:
         grid_file(name, ".mesh", folder)
-    _start(folder)
     rows, slices, picked, surfaces = [], [], [], []
     for name in SIZES:
         with viewer(folder) as (page, address, errors):
@@ -101,14 +100,3 @@ def _modes(page: Page) -> list[float]:
     rounds = [[page.evaluate(MODE, mode) for mode in MODES[1:] + MODES[:1]] for _ in range(5)]
     *others, lines = (statistics.median(times) for times in zip(*rounds, strict=True))
     return [lines, *others]
-
-
-def _start(folder: Path) -> None:
-    """Cold and warm start of Python, on a local server."""
-    with viewer(folder) as (page, address, _):
-        cold = page.evaluate("() => window.hexalab.timings().boot")
-        page.goto("about:blank")
-        page.goto(f"{address}/viewer/")
-        page.evaluate("() => window.hexalab.ready")
-        warm = page.evaluate("() => window.hexalab.timings().boot")
-    table("browser: Python ready after [ms]", ["cold", "warm"], [[f"{cold:.0f}", f"{warm:.0f}"]])
