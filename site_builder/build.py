@@ -161,7 +161,7 @@ def build(
             tell(f"page {page or 'index.html'}", 0.9 + 0.1 * number / (len(catalogue.meshes) + 40))
     listed = [page for page in addresses if not page.startswith("offline/")]
     _add_indexes(catalogue, output, listed, shown)
-    if weight:
+    if runtime:
         _add_service_worker(catalogue, output)
     output.clean()
     tell("done", 1.0)

@@ -70,8 +70,23 @@ async function cleanUp(event) {
   const old = await noted.json();
   const open = await Promise.all(old.map((id) => worker.clients.get(id)));
   if (open.some(Boolean)) return;
+  try {
+    await renewPages();
+  } catch {
+    return; // no network: the kept pages still need what they were made with
+  }
   await notes.delete(`${root}old-pages`);
   await shell.activate(event);
+}
+
+/** Pages that were visited ask for the scripts and styles of their version: they have to be of this one. */
+async function renewPages() {
+  const cache = await caches.open(names.pages);
+  for (const { url } of await cache.keys()) {
+    const response = await fetch(url, { cache: "no-cache" });
+    if (response.status === 200) await cache.put(url, response);
+    else if (response.status === 404) await cache.delete(url);
+  }
 }
 
 /** A page may take the place of one with a query or without a file's name. @param {string | URL} address */
@@ -110,7 +125,6 @@ function answerTo(event) {
   const { request } = event;
   const { url, method, mode, destination } = request;
   if (!url.startsWith(root)) return null;
-  if (method === "POST" && new URL(url).searchParams.has("share")) return share(request);
   if (method !== "GET") return null;
   if (mode === "navigate") return page(event);
   if (/\.json$/.test(new URL(url).pathname) && !/\/runtime-/.test(url)) return list(event);
@@ -129,11 +143,7 @@ async function page(event) {
   } catch {
     // no network, and it was not visited
   }
-  return (
-    (await (await caches.open(names.kept)).match(address)) ??
-    (await shell.matchPrecache(address)) ??
-    Response.redirect(`${root}offline/missing/index.html`)
-  );
+  return (await shell.matchPrecache(address)) ?? Response.redirect(`${root}offline/missing/index.html`);
 }
 
 /** @param {FetchEvent} event */
@@ -157,8 +167,6 @@ async function picture(event) {
   try {
     return await pictures.handle({ event, request });
   } catch {
-    const found = await (await caches.open(names.kept)).match(request.url);
-    if (found) return found;
     if (request.destination !== "image") return Response.error();
     return new Response(NO_PICTURE, { headers: { "content-type": "image/svg+xml" } });
   }
@@ -171,21 +179,4 @@ async function mesh(request) {
   } catch {
     return (await (await caches.open(names.meshes)).match(request.url)) ?? Response.error();
   }
-}
-
-/** Files that another program shares: the viewer takes them from where they are put here. @param {Request} request */
-async function share(request) {
-  const form = await request.formData();
-  const files = form.getAll("files").filter((one) => one instanceof File);
-  const shared = await caches.open(names.shared);
-  for (const old of await shared.keys()) await shared.delete(old);
-  await Promise.all(
-    files.map((file, number) =>
-      shared.put(
-        `${root}shared/${number}`,
-        new Response(file, { headers: { "x-name": encodeURIComponent(file.name) } }),
-      ),
-    ),
-  );
-  return Response.redirect(`${root}viewer/?shared`, 303);
 }

@@ -24,7 +24,9 @@ PLAIN_FILES = ("pyodide.mjs", "pyodide.asm.js", "pyodide.asm.wasm")
 
 NUMPY_LEFT_OUT = (
     r"\.(pyi|pxd|pyx|h|a|c|build|in|ini|typed|src)$",
-    r"^numpy/(f2py|random|testing|doc|core|compat|_pyinstaller|polynomial|distutils|fft)/",
+    r"^numpy/(f2py|random|testing|doc|core|compat|_pyinstaller|polynomial|distutils|fft|ma)/",
+    r"^numpy/(ctypeslib|matlib|_configtool|typing/mypy_plugin|_utils/_pep440)\.py$",
+    r"^numpy/(linalg/lapack_lite\.|lib/(recfunctions|_user_array_impl|user_array)\.py$)",
     r"/tests/",
     r"(^|/)conftest\.py$",
     r"^numpy/_core/_(simd|multiarray_tests|umath_tests|operand_flag_tests|rational_tests|struct_ufunc_tests)",

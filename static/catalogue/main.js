@@ -10,5 +10,5 @@ if (form instanceof HTMLFormElement) startSearch(form);
 
 // Once the page stands: what is kept for later takes nothing from what is wanted now.
 addEventListener("load", () => {
-  void new Registration(new URL(document.body.dataset.root ?? "./", location.href)).start();
+  void new Registration(new URL(document.body.dataset.root || "./", location.href)).start();
 });

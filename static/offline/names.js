@@ -11,12 +11,8 @@ export function cacheNames(root) {
     pages: named("pages"),
     /** Pictures and previews that were seen. */
     pictures: named("pictures"),
-    /** Meshes that were opened, and those that are to be kept. */
+    /** Meshes that were opened. */
     meshes: named("meshes"),
-    /** Pages, pictures and previews of what is to be kept. */
-    kept: named("kept"),
-    /** Files that another program shares, until the viewer takes them. */
-    shared: named("shared"),
     /** What the service worker has to remember. */
     notes: named("notes"),
   };

@@ -6,7 +6,7 @@
  *     await registration.start();
  *
  * Events: "update" when a new version waits to be taken; "taken" when this page is served by another version than before,
- * because this page or another one took it; "kept" when the site can be used without a network.
+ * because this page or another one took it.
  */
 export class Registration extends EventTarget {
   #root;
@@ -48,7 +48,6 @@ export class Registration extends EventTarget {
         const coming = registration.installing;
         coming?.addEventListener("statechange", () => {
           if (coming.state === "installed" && serviceWorker.controller) this.#tell();
-          if (coming.state === "activated") this.dispatchEvent(new Event("kept"));
         });
       });
       return "";

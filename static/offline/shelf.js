@@ -2,10 +2,10 @@ import { cacheNames } from "./names.js";
 
 /**
  * The meshes that this browser keeps for when there is no network: those that were opened, up to a limit, the oldest going
- * first; and those that are to be kept, which stay.
+ * first.
  *
  *     const shelf = new Shelf(new URL("../", location.href));
- *     await shelf.put("https://site.example/cube.mesh", bytes, { name: "cube.mesh" });
+ *     await shelf.put("https://site.example/cube.mesh", new Blob([bytes]), { name: "cube.mesh" });
  *     await (await shelf.find("https://site.example/cube.mesh"))?.response.arrayBuffer();
  *
  * @typedef {object} Row  what is known of a mesh on the shelf
@@ -13,7 +13,6 @@ import { cacheNames } from "./names.js";
  * @property {string} name
  * @property {number} size bytes
  * @property {string} sha256 of its bytes, or empty
- * @property {boolean} keep whether it stays, whatever the limit
  * @property {Date} date when it was put here
  */
 
@@ -21,7 +20,6 @@ import { cacheNames } from "./names.js";
 const NAME = "x-hexalab-name";
 const SIZE = "x-hexalab-size";
 const SHA256 = "x-hexalab-sha256";
-const KEEP = "x-hexalab-keep";
 const DATE = "x-hexalab-date";
 
 /** Bytes of opened meshes that are kept unless the user chose otherwise. */
@@ -42,7 +40,7 @@ export class Shelf {
     return "caches" in globalThis;
   }
 
-  /** Bytes of opened meshes that may be kept; those that are to be kept come on top. */
+  /** Bytes of opened meshes that may be kept. */
   get limit() {
     try {
       const chosen = localStorage.getItem(this.#memory);
@@ -83,24 +81,21 @@ export class Shelf {
   }
 
   /**
-   * @param {string} address @param {ArrayBuffer} bytes
-   * @param {{ name: string, sha256?: string, keep?: boolean }} facts
+   * @param {string} address @param {Blob} file @param {{ name: string, sha256?: string }} facts
    * @returns {Promise<boolean>} whether it is here now: not, where it is larger than the limit
    * @throws {DOMException} the browser's storage is full
    */
-  async put(address, bytes, { name, sha256 = "", keep = false }) {
-    if (!this.works || (!keep && bytes.byteLength > this.limit)) return false;
-    const before = await this.find(address);
+  async put(address, file, { name, sha256 = "" }) {
+    if (!this.works || file.size > this.limit) return false;
     const headers = {
       "content-type": "application/octet-stream",
       [NAME]: encodeURIComponent(name),
-      [SIZE]: String(bytes.byteLength),
+      [SIZE]: String(file.size),
       [SHA256]: sha256,
-      [KEEP]: keep || before?.row.keep ? "yes" : "",
       [DATE]: new Date().toISOString(),
     };
     const cache = await caches.open(this.#cache);
-    const put = () => cache.put(address, new Response(bytes.slice(0), { headers }));
+    const put = () => cache.put(address, new Response(file, { headers }));
     try {
       await put();
     } catch (error) {
@@ -120,7 +115,6 @@ export class Shelf {
   async trim() {
     let size = 0;
     for (const row of await this.list()) {
-      if (row.keep) continue;
       size += row.size;
       if (size > this.limit) await this.remove(row.address);
     }
@@ -128,7 +122,7 @@ export class Shelf {
 
   /** @returns {Promise<boolean>} whether there was one that may go */
   async #dropOldest() {
-    const oldest = (await this.list()).filter(({ keep }) => !keep).at(-1);
+    const oldest = (await this.list()).at(-1);
     if (oldest) await this.remove(oldest.address);
     return Boolean(oldest);
   }
@@ -141,7 +135,6 @@ function rowOf(address, { headers }) {
     name: decodeURIComponent(headers.get(NAME) ?? ""),
     size: Number(headers.get(SIZE) ?? 0),
     sha256: headers.get(SHA256) ?? "",
-    keep: headers.get(KEEP) === "yes",
     date: new Date(headers.get(DATE) ?? 0),
   };
 }

@@ -4,6 +4,9 @@ import { nameIn } from "./address.js";
 
 /** @typedef {import("./opening.js").Origin} Origin */
 
+/** Milliseconds after which a mesh that is opened again counts as new on the shelf. */
+const DAY = 24 * 3600e3;
+
 /**
  * Fetches meshes by their address, and keeps them for when there is no network. One whose content is known by its SHA-256 comes
  * from there at once; any other is fetched anew where there is a network.
@@ -27,27 +30,33 @@ export class Fetching {
   /** @param {string} address @param {{ name: string, sha256: string }} facts @param {Parameters<Origin["bytes"]>[0]} report */
   async #bytes(address, facts, report) {
     const found = await this.#shelf.find(address);
-    if (found && facts.sha256 && found.row.sha256 === facts.sha256) return found.response.arrayBuffer();
+    if (found && facts.sha256 && found.row.sha256 === facts.sha256) {
+      const bytes = await found.response.arrayBuffer();
+      if (Date.now() - Number(found.row.date) > DAY) void this.#keep(address, bytes, facts);
+      return bytes;
+    }
     try {
       const bytes = await download(address, report);
-      if (address.startsWith("http")) await this.#keep(address, bytes, facts);
+      if (address.startsWith("http")) void this.#keep(address, bytes, facts);
       return bytes;
     } catch (error) {
       if (!found) throw error;
       const date = found.row.date.toLocaleDateString("en-GB", { dateStyle: "long" });
-      this.#app.messages.say("note", `There is no network: ${facts.name} is as it was fetched on ${date}`, {
+      const reason = error instanceof Error ? error.message : String(error);
+      this.#app.messages.say("warning", `${facts.name} is as it was kept on ${date}: ${reason}`, {
         topic: "kept-mesh",
       });
       return found.response.arrayBuffer();
     }
   }
 
-  /** @param {string} address @param {ArrayBuffer} bytes @param {{ name: string, sha256: string }} facts */
+  /** Beside the opening: the bytes are copied at once, and may be handed over then. @param {string} address @param {ArrayBuffer} bytes @param {{ name: string, sha256: string }} facts */
   async #keep(address, bytes, facts) {
+    const file = new Blob([bytes]);
     try {
-      await this.#shelf.put(address, bytes, facts);
+      await this.#shelf.put(address, file, facts);
     } catch {
-      const text = "The browser's storage is full: this mesh is not kept for when there is no network";
+      const text = `The browser's storage is full: ${facts.name} is not kept for when there is no network`;
       this.#app.messages.say("warning", text, { topic: "shelf" });
     }
   }
