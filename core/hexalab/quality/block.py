@@ -22,6 +22,7 @@ import numpy as np
 
 from ..arrays import Floats, Ids
 from .arena import Arena, cross, dot, shared
+from .cube_root import cube_root
 
 BITS = (0, 1, 3, 2, 4, 5, 7, 6)
 """Corner at place 4c + 2b + a, where a, b, c say which end of the u, v, w direction it is at; its own inverse."""
@@ -155,8 +156,8 @@ class HexahedronBlock(Arena):
     def roots(self) -> Floats:
         """(9, n) cube roots of the corners' determinants and of the centre's X.(Y x Z)."""
         out = self.array("roots", 9)
-        np.cbrt(self.determinants, out=out[:8])
-        np.cbrt(self.centre_determinant, out=out[8])
+        cube_root(self.determinants, out=out[:8])
+        cube_root(self.centre_determinant, out=out[8])
         return out
 
     @shared

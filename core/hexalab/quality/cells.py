@@ -10,6 +10,7 @@ import numpy as np
 from ..arrays import Floats, Ids
 from ..cells import CORNERS_OF_KIND
 from .arena import Arena, shared
+from .cube_root import cube_root
 
 Triple = tuple[int, int, int, int]
 
@@ -96,5 +97,5 @@ class CellBlock(Arena):
         out = []
         for (u, v, w), det, squares in zip(self.vectors, self.determinants, self.squares, strict=True):
             norm = 1.5 * squares - (times(u, v) + times(v, w) + times(w, u))
-            out.append(norm / (3 * np.cbrt(np.sqrt(2) * det) ** 2))
+            out.append(norm / (3 * cube_root(np.sqrt(2) * det) ** 2))
         return np.stack(out)

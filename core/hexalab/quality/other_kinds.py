@@ -14,6 +14,7 @@ from ..arrays import Floats
 from ..cells import PYRAMID, TETRAHEDRON, WEDGE
 from .block import TOLERANCE
 from .cells import CellBlock, cross, determinant, times
+from .cube_root import cube_root
 
 TETRAHEDRON_EDGES = ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))
 TETRAHEDRON_FACES = ((0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3))
@@ -204,7 +205,7 @@ def wedge_shape(block: CellBlock, out: Floats) -> None:
 
     0 where a determinant is not above 2.2e-15 of the cubed box diagonal.
     """
-    values = 3 * np.cbrt(2 / sqrt(3) * block.determinants) ** 2 / block.squares
+    values = 3 * cube_root(2 / sqrt(3) * block.determinants) ** 2 / block.squares
     np.min(values, axis=0, out=out)
     out[~(block.determinants.min(axis=0) > TOLERANCE * block.size**3)] = 0
 
@@ -224,7 +225,7 @@ def wedge_mean_aspect_frobenius(block: CellBlock, out: Floats) -> None:
 def _finish_wedge_aspect(block: CellBlock, out: Floats) -> None:
     """Divide; inf where 3 (sqrt(2) det)^(2/3) of a corner is not above 2.2e-15 of the squared box diagonal."""
     out /= WEDGE_ASPECT
-    norms = 3 * np.cbrt(np.sqrt(2) * np.abs(block.determinants).min(axis=0)) ** 2
+    norms = 3 * cube_root(np.sqrt(2) * np.abs(block.determinants).min(axis=0)) ** 2
     out[~(norms > TOLERANCE * block.size**2)] = inf
 
 
