@@ -152,7 +152,7 @@ def build(
         taken, trouble = take_missing(shots, out, album, lambda what, part: tell(what, 0.4 + 0.5 * part))
     shown = _add_pictures(catalogue, output, thumbnails)
     figures = _add_figures(collection, output, album)
-    pages = Pages(catalogue, shown, collection, figures)
+    pages = Pages(catalogue, shown, collection, figures, installable=runtime)
     addresses = []
     for number, (page, html) in enumerate(pages.all()):
         output.write(f"{page}index.html", html)
@@ -162,6 +162,7 @@ def build(
     listed = [page for page in addresses if not page.startswith("offline/")]
     _add_indexes(catalogue, output, listed, shown)
     if runtime:
+        _add_manifest(catalogue, output, collection, figures)
         _add_service_worker(catalogue, output)
     output.clean()
     tell("done", 1.0)
@@ -283,12 +284,27 @@ def _add_viewer(pages: Pages, output: Output) -> int:
     return weight
 
 
+def _add_manifest(
+    catalogue: Catalogue, output: Output, collection: Collection, figures: dict[str, tuple[int, int]]
+) -> None:
+    """What makes the site an application that can be installed."""
+    from .pages.manifest import APPLE_ICON, ICONS, PAPER, manifest
+    from .runtime import icon
+
+    drawing = (STATIC / "icon.svg").read_text("utf-8")
+    for address, (side, purpose) in ICONS.items():
+        output.write(address, icon(drawing, side, PAPER if purpose == "maskable" else ""))
+    address, side = APPLE_ICON
+    output.write(address, icon(drawing, side, PAPER))
+    output.write("manifest.webmanifest", manifest(catalogue, collection.screens, figures))
+
+
 def _add_service_worker(catalogue: Catalogue, output: Output) -> None:
     """What makes the site work without a network: the viewer, and the catalogue's pages but those of its meshes."""
     from .runtime import service_worker
 
     shell = {"index.html", "viewer/index.html", "offline/missing/index.html", "catalogue.json", "search.json"}
-    shell |= {"icon.svg", "about/index.html", *assets().files}
+    shell |= {"icon.svg", "about/index.html", "offline/index.html", "manifest.webmanifest", *assets().files}
     shell |= {f"{source.page}index.html" for source in catalogue.sources}
     for folder in ("viewer", "runtime-*"):
         files = (file for top in output.root.glob(folder) for file in top.glob("*") if file.suffix != ".map")

@@ -2,12 +2,14 @@ import { setCacheNameDetails } from "workbox-core";
 import { ExpirationPlugin } from "workbox-expiration";
 import { PrecacheController } from "workbox-precaching";
 import { NetworkFirst, StaleWhileRevalidate } from "workbox-strategies";
+import { HELD, transact } from "./offline/database.js";
 import { cacheNames } from "./offline/names.js";
 
 /**
  * The site without a network. Viewer, interpreter, core and the catalogue's shell are kept on the first visit: scripts and the
  * interpreter carry their content's hash in their address and never change under it. Pages and lists come from the network
- * where there is one. Meshes are kept by the pages themselves (`offline/shelf.js`).
+ * where there is one. Meshes, and what is to be kept until it is freed, are kept by the pages themselves (`offline/shelf.js`,
+ * `offline/keeper.js`).
  *
  * A new version waits until the page says `{ take: true }`, or until no page is open. What the old one kept goes when
  * the last page that it served is closed: such a page may still ask for a part of it.
@@ -79,13 +81,16 @@ async function cleanUp(event) {
   await shell.activate(event);
 }
 
-/** Pages that were visited ask for the scripts and styles of their version: they have to be of this one. */
+/** Pages that are kept ask for the scripts and styles of their version: they have to be of this one. */
 async function renewPages() {
-  const cache = await caches.open(names.pages);
-  for (const { url } of await cache.keys()) {
-    const response = await fetch(url, { cache: "no-cache" });
-    if (response.status === 200) await cache.put(url, response);
-    else if (response.status === 404) await cache.delete(url);
+  for (const name of [names.pages, names.kept]) {
+    const cache = await caches.open(name);
+    for (const { url } of await cache.keys()) {
+      if (!/\.(html|json)$/.test(url)) continue;
+      const response = await fetch(url, { cache: "no-cache" });
+      if (response.status === 200) await cache.put(url, response);
+      else if (response.status === 404) await cache.delete(url);
+    }
   }
 }
 
@@ -125,13 +130,13 @@ function answerTo(event) {
   const { request } = event;
   const { url, method, mode, destination } = request;
   if (!url.startsWith(root)) return null;
+  if (method === "POST" && url === `${root}share`) return shared(request);
   if (method !== "GET") return null;
   if (mode === "navigate") return page(event);
   if (/\.json$/.test(new URL(url).pathname) && !/\/runtime-/.test(url)) return list(event);
   if (shell.getCacheKeyForURL(url)) return kept(event);
   if (destination === "image" || url.endsWith(".preview")) return picture(event);
-  if (url.startsWith(`${root}meshes/`)) return mesh(request);
-  return null;
+  return other(request);
 }
 
 /** @param {FetchEvent} event */
@@ -143,7 +148,11 @@ async function page(event) {
   } catch {
     // no network, and it was not visited
   }
-  return (await shell.matchPrecache(address)) ?? Response.redirect(`${root}offline/missing/index.html`);
+  return (
+    (await shell.matchPrecache(address)) ??
+    (await toBeKept(address)) ??
+    Response.redirect(`${root}offline/missing/index.html`)
+  );
 }
 
 /** @param {FetchEvent} event */
@@ -167,16 +176,42 @@ async function picture(event) {
   try {
     return await pictures.handle({ event, request });
   } catch {
+    const here = await toBeKept(request.url);
+    if (here) return here;
     if (request.destination !== "image") return Response.error();
     return new Response(NO_PICTURE, { headers: { "content-type": "image/svg+xml" } });
   }
 }
 
-/** A mesh's file, as a link to it asks for it. @param {Request} request */
-async function mesh(request) {
+/** What a page shows or links: a mesh's file, a citation. @param {Request} request */
+async function other(request) {
   try {
     return await fetch(request);
   } catch {
-    return (await (await caches.open(names.meshes)).match(request.url)) ?? Response.error();
+    return (
+      (await toBeKept(request.url)) ??
+      (await (await caches.open(names.meshes)).match(request.url)) ??
+      Response.error()
+    );
   }
+}
+
+/** @param {string} address @returns {Promise<Response | undefined>} */
+async function toBeKept(address) {
+  return (await caches.open(names.kept)).match(address);
+}
+
+/** Files, or an address, that another application shares with this one: the viewer takes them. @param {Request} request */
+async function shared(request) {
+  const form = await request.formData();
+  const files = form.getAll("files").filter((file) => file instanceof File);
+  const words = ["url", "text", "title"].map((name) => String(form.get(name) ?? ""));
+  const address = words.join(" ").match(/https?:\/\/\S+/)?.[0];
+  if (files.length) {
+    const found = files.map((file) => ({ path: file.name, file }));
+    await transact("readwrite", (store) => store.put({ files: found }, HELD));
+    return Response.redirect(`${root}viewer/index.html?held`, 303);
+  }
+  const query = address ? `?mesh=${encodeURIComponent(address)}` : "";
+  return Response.redirect(`${root}viewer/index.html${query}`, 303);
 }

@@ -100,7 +100,7 @@ def describe_source(source: Source) -> str:
     """A description of a source, long enough for catalogues that ask for fifty characters."""
     if source.description:
         return source.description
-    meshes = plural(len(source.meshes), "hexahedral mesh").replace("meshs", "meshes")
+    meshes = plural(len(source.meshes), "hexahedral mesh", "hexahedral meshes")
     return f"{meshes} of the paper “{source.title}” by {_joined(source.authors)} ({source.year})."
 
 

@@ -22,6 +22,7 @@ from .assets import assets
 from .facets import FACETS, counts
 from .histogram import draw
 from .indexes import INDEX_VERSION
+from .keeping import connections, weight
 from .picture_pages import gallery_values, guide_values
 
 FIRST = 24
@@ -42,6 +43,8 @@ class Pages:
         What gallery and guide show.
     figures : dict of str to (int, int)
         Widths and heights of those of its pictures that the site has, by address.
+    installable : bool
+        Whether the site has the viewer, and can be installed as an application.
     """
 
     def __init__(
@@ -50,6 +53,8 @@ class Pages:
         pictures: set[str],
         collection: Collection | None = None,
         figures: dict[str, tuple[int, int]] | None = None,
+        *,
+        installable: bool = False,
     ) -> None:
         self._catalogue = catalogue
         self._pictures = pictures
@@ -85,6 +90,9 @@ class Pages:
             json_ld=None,
             interface=interface.installed(),
             assets=assets(),
+            installable=installable,
+            connect="",
+            weight=weight,
         )
 
     def all(self) -> Iterator[tuple[str, str]]:
@@ -93,6 +101,7 @@ class Pages:
         yield "gallery/", self.gallery()
         yield "guide/", self.guide()
         yield "about/", self.about()
+        yield "offline/", self.offline()
         yield "offline/missing/", self.missing()
         if interface.installed():
             yield "python/", self.interface()
@@ -133,6 +142,15 @@ class Pages:
             semi_structured=words.SEMI_STRUCTURED,
         )
 
+    def offline(self) -> str:
+        """What the browser keeps, and how to free it."""
+        return self._render(
+            "offline",
+            "offline/",
+            heading="Offline",
+            description="What this browser keeps of HexaLab, so that it works without a network.",
+        )
+
     def missing(self) -> str:
         """What stands for a page that this browser has not kept, when there is no network."""
         return self._render(
@@ -165,6 +183,7 @@ class Pages:
             description=metadata.describe_source(source),
             highwire=metadata.highwire(source),
             show_cards=bool(pictured),
+            connect=connections(source.meshes),
             some_unknown=any(mesh.facts.sj_min is None for mesh in source.meshes),
             json_ld=metadata.source_json_ld(self._catalogue, source),
         )
@@ -179,6 +198,7 @@ class Pages:
             heading=f"{mesh.name} · {mesh.source.title}",
             description=metadata.describe_mesh(mesh),
             highwire=metadata.highwire(mesh.source),
+            connect=connections([mesh]),
             fact_rows=list(_fact_rows(mesh)),
             histogram=draw(mesh.facts.histogram) if mesh.facts.histogram else None,
             quality_rows=list(_quality_rows(mesh)),

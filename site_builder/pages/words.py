@@ -62,9 +62,9 @@ def file_size(size: int | None) -> str:
     return f"{size / 1e9:.1f} GB"
 
 
-def plural(number_of: int, noun: str) -> str:
-    """A count with its noun: "1 cell", "2 cells"; thousands apart."""
-    return f"{number_of:,} {noun}" if number_of == 1 else f"{number_of:,} {noun}s"
+def plural(number_of: int, noun: str, nouns: str = "") -> str:
+    """A count with its noun: "1 cell", "2 cells", "2 meshes"; thousands apart."""
+    return f"{number_of:,} {noun if number_of == 1 else nouns or noun + 's'}"
 
 
 def structure_word(facts: Facts) -> str:

@@ -1,4 +1,4 @@
-"""All pictures that stand in the gallery and the guide, and where each lies in the site."""
+"""All pictures that stand in the gallery, the guide and the manifest, and where each lies in the site."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from .gallery import SECTIONS
 from .guide import FIGURES
 from .portrait import view_of
 from .recipe import Recipe
+from .screens import SCREENS
 from .shot import Shot, Status
 
 
@@ -72,6 +73,7 @@ class Collection:
             if (figures := _figures(section.recipes, f"gallery/{section.id}-", here))
         ]
         self.guide = _figures(FIGURES, "guide/", here)
+        self.screens = _figures(SCREENS, "screens/", here)
 
     @property
     def figures(self) -> dict[str, Shot]:
@@ -79,6 +81,7 @@ class Collection:
         everything = [
             *(figure for section in self.gallery for figure in section.figures),
             *self.guide.values(),
+            *self.screens.values(),
         ]
         return {figure.address: figure.shot for figure in everything}
 
@@ -99,4 +102,5 @@ def _figures(recipes: Mapping[str, Recipe], prefix: str, here: Mapping[str, Mesh
 
 def _shot(recipe: Recipe, mesh: MeshEntry) -> Shot:
     status = recipe.status(view_of(mesh.facts))
-    return Shot(mesh, status, part=recipe.part, press=recipe.press)
+    width, height = recipe.size
+    return Shot(mesh, status, width, height, part=recipe.part, press=recipe.press)

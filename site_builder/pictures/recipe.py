@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from hexalab.status import merge
 from hexalab.status.views import View
 
-from .shot import Status
+from .shot import HEIGHT, WIDTH, Status
 
 
 @dataclass(frozen=True)
@@ -27,6 +27,8 @@ class Recipe:
         How far the plane of the three-quarter view has gone in: 0 hides nothing.
     part, press : str
         As in `Shot`.
+    size : (int, int)
+        Width and height in pixels.
     """
 
     mesh: str
@@ -37,6 +39,7 @@ class Recipe:
     offset: float = 0.5
     part: str = ""
     press: str = ""
+    size: tuple[int, int] = (WIDTH, HEIGHT)
 
     def status(self, view: View) -> Status:
         """The whole partial status, for the mesh's three-quarter view."""

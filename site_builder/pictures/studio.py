@@ -11,7 +11,7 @@ from hexalab.hosts.rendering import Renderer, RenderError
 from hexalab.status import DEFAULTS, merge
 
 from .album import Album
-from .shot import Shot
+from .shot import HEIGHT, WIDTH, Shot
 
 Progress = Callable[[str, float], None]
 """Called with what is being done, and how much of all pictures is done: 0 to 1."""
@@ -47,10 +47,23 @@ class Studio(Renderer):
         try:
             if shot.press:
                 self.page.locator(shot.press).click()
-            place = self.page if shot.part == "body" else self.page.locator(shot.part)
-            return place.screenshot()
+            if shot.part != "body":
+                return self.page.locator(shot.part).screenshot()
+            return self._window(shot.width, shot.height)
         except PlaywrightError as error:
             raise RenderError(f"{shot.part} of the viewer can't be photographed: {error}") from None
+
+    def _window(self, width: int, height: int) -> bytes:
+        """The page in a window of that size; of a card's size, the window is left as it is."""
+        usual = self.page.viewport_size
+        if (width, height) == (WIDTH, HEIGHT) or usual is None:
+            return self.page.screenshot()
+        self.page.set_viewport_size({"width": width, "height": height})
+        try:
+            self.page.evaluate("() => window.hexalab.settled()")
+            return self.page.screenshot()
+        finally:
+            self.page.set_viewport_size(usual)
 
 
 GIVE_UP = 3

@@ -23,6 +23,9 @@ LONGEST_NAME = 200
 FACTS_FILE = "facts.json"
 _SLUG = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 
+THIS_MACHINE = ("http://localhost:", "http://127.0.0.1:")
+"""Where pages may fetch from without https: what is tried on one's own machine."""
+
 
 def read_repository(root: Path) -> Catalogue:
     """Read all sources below a folder; what is wrong with them is in the catalogue's ``problems``."""
@@ -176,7 +179,7 @@ def _mesh_problems(mesh: MeshEntry, index: int) -> Iterator[tuple[FieldPath, str
     if mesh.kind == "url":
         if not mesh.remote:
             yield here, f"{mesh.key!r} is no web address, nor is it one with base_url before it"
-        elif not mesh.remote.startswith("https:"):
+        elif not mesh.remote.startswith(("https:", *THIS_MACHINE)):
             yield (
                 here,
                 f"{mesh.remote} begins with http:, from where no page may fetch a mesh; give an https: address",

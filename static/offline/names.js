@@ -11,9 +11,16 @@ export function cacheNames(root) {
     pages: named("pages"),
     /** Pictures and previews that were seen. */
     pictures: named("pictures"),
-    /** Meshes that were opened. */
+    /** Meshes that were opened, and those that are to be kept. */
     meshes: named("meshes"),
+    /** Pages, pictures and previews that are to be kept. */
+    kept: named("kept"),
     /** What the service worker has to remember. */
     notes: named("notes"),
   };
+}
+
+/** Names of all caches of the site, those of its versions too. @param {string} root @returns {Promise<string[]>} */
+export async function allCaches(root) {
+  return (await caches.keys()).filter((name) => name.startsWith("hexalab") && name.endsWith(root));
 }

@@ -2,7 +2,7 @@ import { cacheNames } from "./names.js";
 
 /**
  * The meshes that this browser keeps for when there is no network: those that were opened, up to a limit, the oldest going
- * first.
+ * first; and those that are to be kept until they are freed.
  *
  *     const shelf = new Shelf(new URL("../", location.href));
  *     await shelf.put("https://site.example/cube.mesh", new Blob([bytes]), { name: "cube.mesh" });
@@ -14,6 +14,7 @@ import { cacheNames } from "./names.js";
  * @property {number} size bytes
  * @property {string} sha256 of its bytes, or empty
  * @property {Date} date when it was put here
+ * @property {boolean} kept whether it stays until it is freed
  */
 
 /** Headers in which a row lies beside its mesh. */
@@ -21,6 +22,7 @@ const NAME = "x-hexalab-name";
 const SIZE = "x-hexalab-size";
 const SHA256 = "x-hexalab-sha256";
 const DATE = "x-hexalab-date";
+const KEPT = "x-hexalab-kept";
 
 /** Bytes of opened meshes that are kept unless the user chose otherwise. */
 export const USUAL_LIMIT = 500e6;
@@ -60,6 +62,7 @@ export class Shelf {
   async find(address) {
     if (!this.works) return null;
     try {
+      if (!(await caches.has(this.#cache))) return null;
       const response = await (await caches.open(this.#cache)).match(address);
       return response ? { row: rowOf(address, response), response } : null;
     } catch {
@@ -69,7 +72,7 @@ export class Shelf {
 
   /** Everything that is here, the newest first. @returns {Promise<Row[]>} */
   async list() {
-    if (!this.works) return [];
+    if (!this.works || !(await caches.has(this.#cache))) return [];
     const cache = await caches.open(this.#cache);
     const rows = await Promise.all(
       (await cache.keys()).map(async ({ url }) => {
@@ -81,28 +84,45 @@ export class Shelf {
   }
 
   /**
-   * @param {string} address @param {Blob} file @param {{ name: string, sha256?: string }} facts
-   * @returns {Promise<boolean>} whether it is here now: not, where it is larger than the limit
+   * Put a mesh here. One that is to be kept stays so when it is put here anew.
+   *
+   * @param {string} address @param {Blob} file @param {{ name: string, sha256?: string, kept?: boolean }} facts
+   * @returns {Promise<boolean>} whether it is here now: not, where it was merely opened and is larger than the limit
    * @throws {DOMException} the browser's storage is full
    */
-  async put(address, file, { name, sha256 = "" }) {
-    if (!this.works || file.size > this.limit) return false;
+  async put(address, file, { name, sha256 = "", kept = false }) {
+    if (!this.works) return false;
+    const stays = kept || Boolean((await this.find(address))?.row.kept);
+    if (!stays && file.size > this.limit) return false;
     const headers = {
       "content-type": "application/octet-stream",
       [NAME]: encodeURIComponent(name),
       [SIZE]: String(file.size),
       [SHA256]: sha256,
       [DATE]: new Date().toISOString(),
+      [KEPT]: stays ? "1" : "",
     };
     const cache = await caches.open(this.#cache);
-    const put = () => cache.put(address, new Response(file, { headers }));
-    try {
-      await put();
-    } catch (error) {
-      if (!(await this.#dropOldest())) throw error;
-      await put();
+    for (;;) {
+      try {
+        await cache.put(address, new Response(file, { headers }));
+        break;
+      } catch (error) {
+        if (!(await this.#dropOldest(address))) throw error;
+      }
     }
     await this.trim();
+    return true;
+  }
+
+  /** Have a mesh that is here stay until it is freed, or no more. @param {string} address @param {boolean} kept @returns {Promise<boolean>} whether it is here */
+  async keep(address, kept) {
+    const found = await this.find(address);
+    if (!found) return false;
+    const headers = new Headers(found.response.headers);
+    headers.set(KEPT, kept ? "1" : "");
+    const cache = await caches.open(this.#cache);
+    await cache.put(address, new Response(await found.response.blob(), { headers }));
     return true;
   }
 
@@ -111,18 +131,23 @@ export class Shelf {
     await (await caches.open(this.#cache)).delete(address);
   }
 
-  /** Let the oldest go until what was opened is within the limit. */
+  /** Let the oldest go until what was merely opened is within the limit. */
   async trim() {
     let size = 0;
-    for (const row of await this.list()) {
+    for (const row of await this.#free()) {
       size += row.size;
       if (size > this.limit) await this.remove(row.address);
     }
   }
 
-  /** @returns {Promise<boolean>} whether there was one that may go */
-  async #dropOldest() {
-    const oldest = (await this.list()).at(-1);
+  /** Those that may go. */
+  async #free() {
+    return (await this.list()).filter(({ kept }) => !kept);
+  }
+
+  /** @param {string} but this one @returns {Promise<boolean>} whether there was one that may go */
+  async #dropOldest(but) {
+    const oldest = (await this.#free()).filter(({ address }) => address !== but).at(-1);
     if (oldest) await this.remove(oldest.address);
     return Boolean(oldest);
   }
@@ -136,5 +161,6 @@ function rowOf(address, { headers }) {
     size: Number(headers.get(SIZE) ?? 0),
     sha256: headers.get(SHA256) ?? "",
     date: new Date(headers.get(DATE) ?? 0),
+    kept: headers.get(KEPT) === "1",
   };
 }

@@ -4,6 +4,7 @@ import { CoreClient } from "./core/client.js";
 import { WorkerTransport } from "./core/worker_transport.js";
 import { listenToClipboard } from "./input/clipboard.js";
 import { listenToDrops } from "./input/drop.js";
+import { listenToLaunches } from "./input/launches.js";
 import { listenToKeys } from "./input/keyboard.js";
 import { Tools } from "./input/tools.js";
 import { Page } from "./page/page.js";
@@ -35,6 +36,7 @@ new Tools(app, canvas);
 listenToDrops(app);
 listenToKeys(app, page.dialogs.help);
 listenToClipboard(app);
+listenToLaunches(app);
 
 const api = new HexaLab(app);
 Object.assign(window, { hexalab: api });

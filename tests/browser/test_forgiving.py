@@ -137,7 +137,7 @@ def test_S1_a_link_with_settings_pasted_into_the_same_tab_applies(mesh: Page) ->
 @pytest.mark.parametrize(
     ("address", "said"),
     [
-        ("http://example.org/a.mesh", "only https addresses, and those of this site"),
+        ("http://example.org/a.mesh", "only https addresses, and those of this site and this machine"),
         ("ftp://example.org/a.mesh", "begin with ftp: can't be read"),
         ("file:///a.mesh", "drop the file here"),
         ("https://[", "is no address of a mesh"),

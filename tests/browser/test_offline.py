@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import re
-import threading
 from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, BrowserContext, Page
+from playwright.sync_api import Browser
 
-from benchmarks.page import SITE, WINDOW
+from benchmarks.page import SITE
 from hexalab.formats import write_medit
-from hexalab.hosts.serving import make_server
 from tests.browser.conftest import grid, planes
+from tests.browser.visits import CONTROLLED, cells, published_below, visitor
 
 SCOPES = """async () => {
     const registrations = await navigator.serviceWorker.getRegistrations();
@@ -26,10 +24,6 @@ KEPT_PAGES = """async (address) => {
         for (const { url } of await (await caches.open(name)).keys())
             if (name.includes("precache") && url.startsWith(`${address}about/`)) found.push(url);
     return found;
-}"""
-CONTROLLED = """async () => {
-    await navigator.serviceWorker.ready;
-    while (!navigator.serviceWorker.controller) await new Promise((resolve) => setTimeout(resolve, 20));
 }"""
 OPEN = """async (bytes) => {
     const opened = await window.hexalab.open(new File([new Uint8Array(bytes)], "grid.mesh"));
@@ -53,45 +47,8 @@ SHELF = """async ({ script, limit, puts }) => {
 @pytest.fixture(scope="module")
 def published(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Path, str]]:
     """Folder and address of the site as a host shows it, with pages of its own beside it."""
-    top = tmp_path_factory.mktemp("host")
-    folder = top / "hexalab"
-    folder.mkdir()
-    for entry in SITE.resolve().iterdir():
-        if entry.name == "service_worker.js":
-            (folder / entry.name).write_bytes(entry.read_bytes())
-        else:
-            (folder / entry.name).symlink_to(entry)
-    (top / "index.html").write_text("<!doctype html><title>Another site</title>")
-    with make_server(top) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield folder, f"{server.address}hexalab/"
-        server.shutdown()
-
-
-@contextmanager
-def visitor(chromium: Browser) -> Iterator[tuple[BrowserContext, Page]]:
-    """A browser of its own that may keep the site; its console has to stay silent."""
-    context = chromium.new_context(viewport=WINDOW, service_workers="allow")
-    page = context.new_page()
-    errors: list[str] = []
-    page.on("pageerror", lambda error: errors.append(str(error)))
-    try:
-        yield context, page
-    finally:
-        context.close()
-    assert not errors
-
-
-def cells(page: Page) -> int:
-    """Cells of the mesh that is open, once one is."""
-    found: int = page.evaluate(
-        """async () => {
-            while (!window.hexalab?.summary()?.quality && !window.hexalab?.drawn().cells)
-                await new Promise((resolve) => setTimeout(resolve, 20));
-            return window.hexalab.summary().cells;
-        }"""
-    )
-    return found
+    with published_below(tmp_path_factory.mktemp("host")) as found:
+        yield found
 
 
 def test_O1_the_second_visit_needs_no_network(chromium: Browser, published: tuple[Path, str]) -> None:

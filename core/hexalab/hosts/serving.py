@@ -14,6 +14,7 @@ TYPES = {
     ".json": "application/json",
     ".wasm": "application/wasm",
     ".svg": "image/svg+xml",
+    ".png": "image/png",
     ".css": "text/css",
     ".html": "text/html; charset=utf-8",
     ".webmanifest": "application/manifest+json",

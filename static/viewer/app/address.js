@@ -2,8 +2,11 @@
 const REFUSALS = /** @type {Record<string, string>} */ ({
   "file:": "a web page can't read files of the disk by their address: drop the file here",
   "http:":
-    "only https addresses, and those of this site, can be read: use https, or download the file and drop it here",
+    "only https addresses, and those of this site and this machine, can be read: use https, or download the file and drop it here",
 });
+
+/** Hosts that a page may read from without https. */
+const THIS_MACHINE = ["localhost", "127.0.0.1"];
 
 /**
  * The address of a mesh, as a link or a script gives it.
@@ -20,13 +23,9 @@ export function meshAddress(text, base) {
   } catch (cause) {
     throw new Error(`‘${shortened(text)}’ is no address of a mesh`, { cause });
   }
-  const { protocol, origin } = address;
-  if (
-    protocol === "https:" ||
-    protocol === "blob:" ||
-    (protocol === "http:" && origin === new URL(base).origin)
-  )
-    return address.href;
+  const { protocol, hostname, origin } = address;
+  const near = origin === new URL(base).origin || THIS_MACHINE.includes(hostname);
+  if (protocol === "https:" || protocol === "blob:" || (protocol === "http:" && near)) return address.href;
   const reason = REFUSALS[protocol] ?? `addresses that begin with ${protocol} can't be read, expected https`;
   throw new Error(`‘${shortened(text)}’ was not opened: ${reason}`);
 }

@@ -7,6 +7,7 @@ import { Messages } from "./messages.js";
 import { Figures } from "./figures.js";
 import { Fetching } from "./fetching.js";
 import { Files, foundOf } from "./files.js";
+import { Keeping } from "./keeping.js";
 import { LastFiles } from "./last_files.js";
 import { NewVersion } from "./new_version.js";
 import { Opening } from "./opening.js";
@@ -71,6 +72,7 @@ export class App {
     this.steps = new Steps(this);
     this.lastFiles = new LastFiles(this);
     this.batch = new Batch(this);
+    this.keeping = new Keeping(this);
     this.newVersion = new NewVersion(this);
   }
 

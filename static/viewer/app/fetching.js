@@ -1,8 +1,9 @@
+import { download } from "../../offline/download.js";
+import { sha256 } from "../../offline/hash.js";
 import { Shelf } from "../../offline/shelf.js";
-import { download } from "../files/download.js";
 import { nameIn } from "./address.js";
 
-/** @typedef {import("./opening.js").Origin} Origin */
+/** @typedef {import("./opening.js").Origin} Origin @typedef {{ name: string, sha256: string }} Known */
 
 /** Milliseconds after which a mesh that is opened again counts as new on the shelf. */
 const DAY = 24 * 3600e3;
@@ -24,39 +25,45 @@ export class Fetching {
   /** @param {string} address a whole one @param {string} [sha256] of the file, where it is known @returns {Origin} */
   from(address, sha256 = "") {
     const name = nameIn(address);
-    return { name, bytes: (report) => this.#bytes(address, { name, sha256 }, report) };
+    return { name, address, bytes: (report) => this.#bytes(address, { name, sha256 }, report) };
   }
 
-  /** @param {string} address @param {{ name: string, sha256: string }} facts @param {Parameters<Origin["bytes"]>[0]} report */
-  async #bytes(address, facts, report) {
+  /** @param {string} address @param {Known} known @param {Parameters<Origin["bytes"]>[0]} report */
+  async #bytes(address, known, report) {
     const found = await this.#shelf.find(address);
-    if (found && facts.sha256 && found.row.sha256 === facts.sha256) {
+    if (found && known.sha256 && found.row.sha256 === known.sha256) {
       const bytes = await found.response.arrayBuffer();
-      if (Date.now() - Number(found.row.date) > DAY) void this.#keep(address, bytes, facts);
+      if (Date.now() - Number(found.row.date) > DAY) void this.#keep(address, bytes, known);
       return bytes;
     }
     try {
       const bytes = await download(address, report);
-      if (address.startsWith("http")) void this.#keep(address, bytes, facts);
+      if (address.startsWith("http")) void this.#keep(address, bytes, known);
       return bytes;
     } catch (error) {
       if (!found) throw error;
       const date = found.row.date.toLocaleDateString("en-GB", { dateStyle: "long" });
       const reason = error instanceof Error ? error.message : String(error);
-      this.#app.messages.say("warning", `${facts.name} is as it was kept on ${date}: ${reason}`, {
+      this.#app.messages.say("warning", `${known.name} is as it was kept on ${date}: ${reason}`, {
         topic: "kept-mesh",
       });
       return found.response.arrayBuffer();
     }
   }
 
-  /** Beside the opening: the bytes are copied at once, and may be handed over then. @param {string} address @param {ArrayBuffer} bytes @param {{ name: string, sha256: string }} facts */
-  async #keep(address, bytes, facts) {
+  /**
+   * Beside the opening: the bytes are copied at once, and may be handed over then. What the catalogue says of the content is
+   * believed when it has been seen to hold.
+   *
+   * @param {string} address @param {ArrayBuffer} bytes @param {Known} known
+   */
+  async #keep(address, bytes, { name, sha256: said }) {
     const file = new Blob([bytes]);
     try {
-      await this.#shelf.put(address, file, facts);
+      const sum = said && (await sha256(await file.arrayBuffer()));
+      await this.#shelf.put(address, file, { name, sha256: sum });
     } catch {
-      const text = `The browser's storage is full: ${facts.name} is not kept for when there is no network`;
+      const text = `The browser's storage is full: ${name} is not kept for when there is no network`;
       this.#app.messages.say("warning", text, { topic: "shelf" });
     }
   }

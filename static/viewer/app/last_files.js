@@ -1,3 +1,4 @@
+import { FILES, HELD, MARK, transact } from "../../offline/database.js";
 import { statusToHash } from "../state/link.js";
 
 /**
@@ -7,13 +8,7 @@ import { statusToHash } from "../state/link.js";
  * @typedef {import("./files.js").Found} Found
  */
 
-const DATABASE = "hexalab";
-const STORE = "last";
 const STATUS = "hexalab.last-status";
-
-/** What is open while the page is loaded again, in the database; that it is so, in the session's storage. */
-const HELD = "held";
-const MARK = "hexalab.held";
 
 /** Bytes up to which files are kept. */
 const MOST = 256 * 2 ** 20;
@@ -51,7 +46,7 @@ export class LastFiles {
     this.#app.facts.set({ again: null });
     const size = found.reduce((sum, { file }) => sum + file.size, 0);
     if (!this.#app.facts.get("remember") || size > MOST) return this.forget();
-    await this.#transact("readwrite", (store) => store.put([...found], "files"));
+    await this.#transact("readwrite", (store) => store.put([...found], FILES));
     this.#write();
   }
 
@@ -59,7 +54,7 @@ export class LastFiles {
     clearTimeout(this.#writing);
     this.#app.facts.set({ again: null });
     kept(() => localStorage.removeItem(STATUS));
-    await this.#transact("readwrite", (store) => store.delete("files"));
+    await this.#transact("readwrite", (store) => store.delete(FILES));
   }
 
   /**
@@ -82,14 +77,20 @@ export class LastFiles {
 
   /** Come back to what was held. @returns {Promise<boolean>} whether something was */
   async #resume() {
-    const marked = kept(() => sessionStorage.getItem(MARK));
+    const marked = kept(() => sessionStorage.getItem(MARK)) !== null;
     kept(() => sessionStorage.removeItem(MARK));
-    if (!marked) return false;
+    const address = new URL(location.href);
+    const sent = address.searchParams.has("held");
+    if (!marked && !sent) return false;
+    if (sent) {
+      address.searchParams.delete("held");
+      history.replaceState(history.state, "", address);
+    }
     const held = /** @type {{ files: Found[], status: unknown } | null} */ (
       await this.#transact("readonly", (store) => store.get(HELD))
     );
     await this.#transact("readwrite", (store) => store.delete(HELD));
-    if (held) await this.#again(held.files, held.status);
+    if (held) await this.#again(held.files, held.status ?? {});
     return Boolean(held);
   }
 
@@ -108,7 +109,7 @@ export class LastFiles {
 
   /** @returns {Promise<Found[] | null>} */
   async #read() {
-    return /** @type {Found[] | null} */ (await this.#transact("readonly", (store) => store.get("files")));
+    return /** @type {Found[] | null} */ (await this.#transact("readonly", (store) => store.get(FILES)));
   }
 
   #writeSoon() {
@@ -134,26 +135,6 @@ export class LastFiles {
       return null;
     }
   }
-}
-
-/** @param {IDBTransactionMode} mode @param {(store: IDBObjectStore) => IDBRequest} ask @returns {Promise<unknown>} */
-async function transact(mode, ask) {
-  const opening = indexedDB.open(DATABASE, 1);
-  opening.onupgradeneeded = () => opening.result.createObjectStore(STORE);
-  const database = await answerOf(opening);
-  try {
-    return (await answerOf(ask(database.transaction(STORE, mode).objectStore(STORE)))) ?? null;
-  } finally {
-    database.close();
-  }
-}
-
-/** @template T @param {IDBRequest<T>} request @returns {Promise<T>} */
-function answerOf(request) {
-  return new Promise((resolve, reject) => {
-    request.onsuccess = () => resolve(request.result);
-    request.onerror = () => reject(request.error);
-  });
 }
 
 /** What a browser may refuse to keep. @template T @param {() => T} act @returns {T | null} */

@@ -1,7 +1,19 @@
 /** @typedef {import("../state/facts.js").Message} Message */
 
 /** Topics that are settled when another mesh has come. */
-const OF_A_MESH = ["open", "drop", "offer", "status", "save", "inspect", "pick", "finding", "kept", "frame"];
+const OF_A_MESH = [
+  "open",
+  "keep",
+  "drop",
+  "offer",
+  "status",
+  "save",
+  "inspect",
+  "pick",
+  "finding",
+  "kept",
+  "frame",
+];
 
 /** Messages that stay until they are read: no dialogs, no alerts. They leave when their matter is settled. */
 export class Messages {

@@ -1,5 +1,5 @@
 import { Superseded } from "../core/client.js";
-import { download } from "../files/download.js";
+import { download } from "../../offline/download.js";
 import { unpack } from "../files/packing.js";
 import { NEW_MESH } from "../state/facts.js";
 import { count, counted } from "../state/numbers.js";
@@ -10,6 +10,7 @@ import { openingSettings, ownView } from "../state/opening_view.js";
  *
  * @typedef {object} Origin
  * @property {string} name
+ * @property {string} [address] that it is fetched from
  * @property {(report: (fraction: number | null, text?: string) => void) => Promise<ArrayBuffer>} bytes
  * @property {() => Promise<Record<string, ArrayBuffer>>} [companions] files that it refers to, by their paths
  * @property {Blob} [kept] what was read, so that it can be read again though the file has changed
@@ -186,7 +187,13 @@ export class Opening {
     store.set(settings, { undo: false });
     store.forget();
     scene.setMesh(summary);
-    facts.set({ ...NEW_MESH, summary, entry, source: entry?.source ?? null });
+    facts.set({
+      ...NEW_MESH,
+      summary,
+      entry,
+      source: entry?.source ?? null,
+      address: origin.address ?? "",
+    });
     this.#tellView(summary, kept && before !== null);
   }
 

@@ -4,6 +4,7 @@ import { h } from "../widgets/dom.js";
 import { watch } from "../widgets/bind.js";
 import { findings } from "./findings.js";
 import { firstFacts } from "./first_facts.js";
+import { keeping } from "./keeping.js";
 import { partList } from "./parts.js";
 import { catalogueChooser } from "./catalogue.js";
 
@@ -22,6 +23,7 @@ export const mesh = {
   },
   controls: [
     { kind: "custom", render: catalogueChooser },
+    { kind: "custom", render: keeping },
     { kind: "custom", render: headline },
     { kind: "custom", render: firstFacts },
     { kind: "custom", render: partList },

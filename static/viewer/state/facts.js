@@ -29,6 +29,8 @@
  * @property {import("./entry.js").Index | null} catalogue
  * @property {import("./entry.js").CatalogueSource | null} source chosen from the catalogue
  * @property {import("./entry.js").Entry | null} entry of the open mesh
+ * @property {string} address that the open mesh was fetched from; empty for a file
+ * @property {"kept" | "free" | "coming" | null} offline whether this browser keeps the open mesh until it is freed; null where it can't
  * @property {MeshSummary | null} summary of the open mesh, null while there is none
  * @property {Partial<import("./answers.js").Description> | null} description
  * @property {Readonly<Record<string, import("./answers.js").Statistics>>} statistics by quantity
@@ -54,10 +56,11 @@
 
 /** What is known of a mesh before anything is, and the tool at hand: another mesh starts with these. */
 export const NEW_MESH = Object.freeze(
-  /** @type {Pick<FactTable, "tool" | "source" | "entry" | "summary" | "description" | "statistics" | "histogram" | "worst" | "irregular" | "shown" | "colour" | "layers" | "cell" | "flown" | "hover" | "plane" | "planeRanges">} */ ({
+  /** @type {Pick<FactTable, "tool" | "source" | "entry" | "address" | "summary" | "description" | "statistics" | "histogram" | "worst" | "irregular" | "shown" | "colour" | "layers" | "cell" | "flown" | "hover" | "plane" | "planeRanges">} */ ({
     tool: "turn",
     source: null,
     entry: null,
+    address: "",
     summary: null,
     description: null,
     statistics: {},
@@ -90,6 +93,7 @@ const NOTHING = {
   posing: false,
   remember: true,
   again: null,
+  offline: null,
   keep: null,
 };
 

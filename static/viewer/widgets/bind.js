@@ -32,6 +32,7 @@
  * @property {{ stem: string, saveStatus: () => void, link: () => Promise<string> }} saving
  * @property {(files: readonly File[]) => Promise<void>} offerBatch
  * @property {{ run: (entries: import("../files/zip.js").Entry[], options: Size & Run & { figures: boolean }) => Promise<{ zip: Blob, failed: { name: string, problem: string }[] }> }} batch
+ * @property {{ toggle: () => unknown }} keeping offline, the open mesh
  * @property {import("../scene/scene_like.js").SceneLike} scene
  *
  * @typedef {"png" | "svg" | "pdf" | "csv"} ChartFormat
