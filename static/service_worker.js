@@ -165,9 +165,21 @@ async function list(event) {
   }
 }
 
-/** What carries its hash, or was kept with the version of this worker; from the network where it was thrown out. @param {FetchEvent} event */
-async function kept({ request }) {
-  return (await shell.matchPrecache(request.url)) ?? fetch(request);
+/** What carries its hash, or was kept with the version of this worker; what the browser has thrown out is kept anew. @param {FetchEvent} event */
+async function kept(event) {
+  const { request } = event;
+  const found = await shell.matchPrecache(request.url);
+  if (found) return found;
+  const response = await fetch(request);
+  if (response.status === 200) event.waitUntil(keepAnew(request.url, response.clone()));
+  return response;
+}
+
+/** @param {string} address @param {Response} response */
+async function keepAnew(address, response) {
+  const key = shell.getCacheKeyForURL(address);
+  const cache = await caches.open(shell.strategy.cacheName);
+  if (key) await cache.put(key, response).catch(() => {}); // a full storage: it came from the network all the same
 }
 
 /** @param {FetchEvent} event */

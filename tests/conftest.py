@@ -5,16 +5,17 @@ from __future__ import annotations
 import os
 import re
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+from urllib.parse import urlsplit
 
 import pytest
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser
+    from playwright.sync_api import Browser, BrowserContext, Page, Request
 
 LEFT_OUT = pytest.StashKey[list[str]]()
 """Modules of tests that are not even imported, because hypothesis is missing."""
@@ -68,5 +69,33 @@ def chromium() -> Iterator[Browser]:
 
     with browser() as running, pytest.MonkeyPatch.context() as patch:
         for name in ("new_context", "new_page"):
-            patch.setattr(running, name, partial(getattr(running, name), **BLOCKED))
+            patch.setattr(running, name, partial(_opened, getattr(running, name)))
         yield running
+
+
+STRAYS: list[str] = []
+"""Requests of the pages of this run that left this machine."""
+
+
+def _opened(make: Callable[..., BrowserContext | Page], **options: Any) -> BrowserContext | Page:
+    """A context or a page of the one browser, whose requests are watched."""
+    made = make(**BLOCKED | options)
+    made.on("request", _note)
+    return made
+
+
+def _note(request: Request) -> None:
+    address = urlsplit(request.url)
+    if address.scheme in ("http", "https", "ws", "wss") and address.hostname not in (
+        "localhost",
+        "127.0.0.1",
+    ):
+        STRAYS.append(request.url)
+
+
+@pytest.fixture(autouse=True)
+def nothing_leaves() -> Iterator[None]:
+    """No page asks anything of another machine (SPEC O3)."""
+    yield
+    strays, STRAYS[:] = list(STRAYS), []
+    assert not strays, f"requests left this machine: {strays}"

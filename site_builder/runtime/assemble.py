@@ -66,7 +66,8 @@ def assemble(out: Path, cache: Path | None = None) -> RuntimeReport:
     _forget(out, "runtime-*", keep=runtime)
     _copy_tree(interpreter, out / runtime)
 
-    scripts = [path for path in (ROOT / "static" / "viewer").rglob("*") if path.is_file()]
+    folders = (ROOT / "static" / name for name in ("viewer", "offline"))
+    scripts = [path for folder in folders for path in folder.rglob("*") if path.is_file()]
     lock = ROOT / "package-lock.json"
     bundle_key = _hash(_contents([*scripts, lock, Path(__file__).with_name("bundle.py")]))
     bundles = cache / f"viewer-{bundle_key}"

@@ -20,6 +20,9 @@ from .byte_code import Archive, byte_code
 
 PYODIDE_VERSION = "0.29.0"
 DISTRIBUTION = f"https://cdn.jsdelivr.net/pyodide/v{PYODIDE_VERSION}/full/"
+HASHES = "hashes.json"
+"""SHA-256 of each file of the interpreter, by which a browser finds out which of them is damaged."""
+
 PLAIN_FILES = ("pyodide.mjs", "pyodide.asm.js", "pyodide.asm.wasm")
 
 NUMPY_LEFT_OUT = (
@@ -93,6 +96,8 @@ def copy_interpreter(node_modules: Path, tools: Path, out: Path, core_wheel: tup
         (out / name).write_bytes(data)
     _, numpy_name, core_name = (name for name, _ in compiled)
     _write_lock(out, lock["info"], {"numpy": numpy_name, "hexalab": core_name})
+    hashes = {file.name: hashlib.sha256(file.read_bytes()).hexdigest() for file in sorted(out.iterdir())}
+    (out / HASHES).write_text(json.dumps(hashes, indent=1) + "\n")
 
 
 def official_wheel(node_modules: Path, package: dict[str, str]) -> bytes:

@@ -12,6 +12,9 @@ import { askLasting, isLasting, quota } from "../offline/storage.js";
 
 const root = new URL(document.body.dataset.root || "./", location.href);
 const shelf = new Shelf(root);
+const registration = new Registration(root);
+/** Why nothing is kept, in words; empty where it is, or will be. */
+let lack = registration.lack;
 /** @type {Map<string, Known> | null} */
 let catalogue = null;
 
@@ -51,11 +54,17 @@ everything.addEventListener("click", async () => {
   await show();
 });
 everything.addEventListener("blur", () => (everything.textContent = "Free everything"));
+registration.addEventListener("failed", () => {
+  lack = "a file could not be fetched, or the browser's storage is full";
+  void show();
+});
 void show();
-void navigator.serviceWorker?.ready.then(show);
+void registration.start().then((reason) => {
+  lack = reason;
+  return reason ? show() : navigator.serviceWorker.ready.then(show);
+});
 
 async function show() {
-  const { lack } = new Registration(root);
   if (lack || !shelf.works) {
     state.textContent = `Nothing is kept: ${lack || "this browser keeps nothing here"}.`;
     body.classList.add("keeps-nothing");

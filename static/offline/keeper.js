@@ -2,6 +2,7 @@ import { download } from "./download.js";
 import { sha256 } from "./hash.js";
 import { cacheNames } from "./names.js";
 import { Shelf } from "./shelf.js";
+import { inertDocument } from "./trusted.js";
 
 /**
  * Fetches parcels and keeps them until they are freed.
@@ -138,7 +139,7 @@ export class Keeper {
   async #shownOn(cache, page) {
     const text = await (await cache.match(page))?.text();
     if (!text) return [];
-    const shown = new DOMParser().parseFromString(text, "text/html");
+    const shown = inertDocument(text);
     const named = [
       ...[...shown.querySelectorAll("img[src]")].map((one) => one.getAttribute("src")),
       ...[...shown.querySelectorAll(".downloads a[download]")].map((one) => one.getAttribute("href")),

@@ -1,3 +1,5 @@
+import { scriptAddress } from "./trusted.js";
+
 /**
  * Have the site kept for when there is no network: its service worker, and what happens when there is a new version.
  *
@@ -6,7 +8,7 @@
  *     await registration.start();
  *
  * Events: "update" when a new version waits to be taken; "taken" when this page is served by another version than before,
- * because this page or another one took it.
+ * because this page or another one took it; "failed" when a version could not be kept.
  */
 export class Registration extends EventTarget {
   #root;
@@ -38,7 +40,8 @@ export class Registration extends EventTarget {
       served = true;
     });
     try {
-      const registration = await serviceWorker.register(new URL("service_worker.js", this.#root), {
+      const address = scriptAddress(new URL("service_worker.js", this.#root));
+      const registration = await serviceWorker.register(address, {
         scope: this.#root.pathname,
         updateViaCache: "none",
       });
@@ -48,6 +51,8 @@ export class Registration extends EventTarget {
         const coming = registration.installing;
         coming?.addEventListener("statechange", () => {
           if (coming.state === "installed" && serviceWorker.controller) this.#tell();
+          if (coming.state === "redundant" && coming !== registration.active)
+            this.dispatchEvent(new Event("failed"));
         });
       });
       return "";

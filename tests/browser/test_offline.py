@@ -12,7 +12,7 @@ from playwright.sync_api import Browser
 from benchmarks.page import SITE
 from hexalab.formats import write_medit
 from tests.browser.conftest import grid, planes
-from tests.browser.visits import CONTROLLED, cells, published_below, visitor
+from tests.browser.visits import CONTROLLED, OPEN, cells, published_below, visitor
 
 SCOPES = """async () => {
     const registrations = await navigator.serviceWorker.getRegistrations();
@@ -24,10 +24,6 @@ KEPT_PAGES = """async (address) => {
         for (const { url } of await (await caches.open(name)).keys())
             if (name.includes("precache") && url.startsWith(`${address}about/`)) found.push(url);
     return found;
-}"""
-OPEN = """async (bytes) => {
-    const opened = await window.hexalab.open(new File([new Uint8Array(bytes)], "grid.mesh"));
-    return opened.cells;
 }"""
 SHELF = """async ({ script, limit, puts }) => {
     const { Shelf } = await import(script);

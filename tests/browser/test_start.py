@@ -6,6 +6,7 @@ import hashlib
 from pathlib import Path
 from typing import Any
 
+import pytest
 from playwright.sync_api import Browser, Page, Route
 
 from tests.browser import ui
@@ -41,6 +42,33 @@ def test_O4_a_file_that_the_server_has_not_is_told(chromium: Browser, site: str)
     gone = lambda route: route.fulfill(status=404, body="")  # noqa: E731
     page, _ = start(chromium, f"{site}/viewer/", lambda page: page.route("**/python_stdlib.zip", gone))
     words(page, "python_stdlib.zip is missing on the server (status 404)")
+    page.context.close()
+
+
+@pytest.mark.parametrize(
+    "file", ["pyodide.asm.wasm", "pyodide.asm.js", "python_stdlib.zip", "numpy-*.whl", "hexalab-*.whl"]
+)
+def test_O5_a_damaged_file_is_named_and_fetched_anew(chromium: Browser, site: str, file: str) -> None:
+    asked: list[str] = []
+
+    def damage(route: Route) -> None:
+        asked.append(route.request.url)
+        if len(asked) > 2:  # by the start and by the check: then past all caches
+            return route.continue_()
+        response = route.fetch()
+        body = bytearray(response.body())
+        middle = len(body) // 2
+        body[middle : middle + 4000] = bytes(4000)
+        return route.fulfill(body=bytes(body), headers={"content-type": response.headers["content-type"]})
+
+    page, _ = start(chromium, f"{site}/viewer/", lambda page: page.context.route(f"**/{file}", damage))
+    words(page, "was damaged on its way or on this disk, and has been fetched anew")
+    assert file.split("*")[0] in ui.messages(page)
+    page.context.unroute_all()
+    with page.expect_navigation():
+        page.get_by_role("button", name="try again").click()
+    page.evaluate("async () => { while (!window.hexalab) await new Promise((r) => setTimeout(r, 20)); }")
+    assert page.evaluate("() => window.hexalab.ready.then(() => true)")
     page.context.close()
 
 

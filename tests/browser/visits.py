@@ -17,6 +17,10 @@ CONTROLLED = """async () => {
     await navigator.serviceWorker.ready;
     while (!navigator.serviceWorker.controller) await new Promise((resolve) => setTimeout(resolve, 20));
 }"""
+OPEN = """async (bytes) => {
+    const opened = await window.hexalab.open(new File([new Uint8Array(bytes)], "grid.mesh"));
+    return opened.cells;
+}"""
 
 
 @contextmanager
@@ -46,7 +50,7 @@ def published_below(top: Path) -> Iterator[tuple[Path, str]]:
 @contextmanager
 def visitor(chromium: Browser, **options: Any) -> Iterator[tuple[BrowserContext, Page]]:
     """A browser of its own that may keep the site; no error may stay uncaught."""
-    context = chromium.new_context(viewport=WINDOW, service_workers="allow", **options)
+    context = chromium.new_context(**{"viewport": WINDOW, "service_workers": "allow"} | options)
     page = context.new_page()
     errors: list[str] = []
     page.on("pageerror", lambda error: errors.append(str(error)))
@@ -54,7 +58,7 @@ def visitor(chromium: Browser, **options: Any) -> Iterator[tuple[BrowserContext,
         yield context, page
     finally:
         context.close()
-    assert not errors
+    assert not errors, errors
 
 
 def cells(page: Page) -> int:

@@ -10,6 +10,7 @@ opened, which starts with their defaults.
 
 from __future__ import annotations
 
+import gc
 from dataclasses import replace
 from time import perf_counter
 from typing import Any
@@ -104,6 +105,7 @@ class Session:
             "summary": 1000 * (perf_counter() - topology),
         }
         self._opened, self._picture, self._settings = opened, Picture(opened), SETTINGS
+        gc.collect()  # a mesh and its topology know each other; a browser's memory only ever grows
         return summary
 
     def describe(self, part: str = "") -> Result:

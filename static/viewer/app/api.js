@@ -21,6 +21,7 @@ export class HexaLab {
   constructor(app) {
     this.#app = app;
     this.ready = app.client.ready.then(() => undefined);
+    this.ready.catch(() => {}); // said in a message, whoever waits for it
   }
 
   /**
@@ -55,6 +56,11 @@ export class HexaLab {
     if (!summary) return null;
     const { outline: _, ...told } = summary;
     return { ...told, ...facts.get("description"), shown: facts.get("shown") };
+  }
+
+  /** Bytes of memory that the core holds, null while that is not known: it grows with the largest mesh, and never shrinks. @returns {number | null} */
+  memory() {
+    return this.#app.client.memory;
   }
 
   /** The status document: a copy. @returns {Status} */

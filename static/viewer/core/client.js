@@ -21,12 +21,14 @@ import { question } from "./question.js";
  * @typedef {object} Listener  what a transport tells
  * @property {(timings: Start) => void} ready the core can be asked; milliseconds of its start
  * @property {(failure: Failure) => void} failed it can't be started
- * @property {(id: number, packed: ArrayBuffer, milliseconds: number) => void} answered
+ * @property {(id: number, packed: ArrayBuffer, cost: Cost) => void} answered
  * @property {(failure: Failure) => void} broken it can't go on, with the question that is under way if there is one
  * @property {(id: number, failure: Failure) => void} refused the question with this id could not be read
  * @property {(id: number, sha256: string, bytes?: ArrayBuffer) => void} identified the file that the question with this id
  *   opened, and its bytes, where they come back
  * @property {(file: string) => void} loading a file that the core is made of has come
+ *
+ * @typedef {{ milliseconds: number, memory?: number }} Cost  what a call took, and bytes that the core holds since
  *
  * @typedef {object} Transport  the way to a core: a worker, a server, a notebook's kernel
  * @property {(listener: Listener) => void} start starts a core
@@ -78,6 +80,8 @@ export class CoreClient extends EventTarget {
   #deaths = { method: "", count: 0 };
   /** Milliseconds of the last call of each method, measured where the core runs. @type {Record<string, number>} */
   milliseconds = {};
+  /** Bytes of memory that the core holds: it never gives any back. Null while that is not known. @type {number | null} */
+  memory = null;
 
   /** @param {Transport} transport */
   constructor(transport) {
@@ -103,7 +107,7 @@ export class CoreClient extends EventTarget {
           reject(new CoreError(failure));
           if (this.#booted) this.#break(failure);
         },
-        answered: (id, packed, milliseconds) => this.#receive(id, packed, milliseconds),
+        answered: (id, packed, cost) => this.#receive(id, packed, cost),
         refused: (id, failure) => id === this.#running?.id && this.#refuse(new CoreError(failure)),
         loading: (file) => this.dispatchEvent(new CustomEvent("loading", { detail: { file } })),
         identified: (id, sha256, bytes) => {
@@ -194,12 +198,13 @@ export class CoreClient extends EventTarget {
     if (!this.pending) this.dispatchEvent(new Event("idle"));
   }
 
-  /** @param {number} id @param {ArrayBuffer} packed @param {number} milliseconds */
-  #receive(id, packed, milliseconds) {
+  /** @param {number} id @param {ArrayBuffer} packed @param {Cost} cost */
+  #receive(id, packed, { milliseconds, memory }) {
     const call = this.#running;
     if (!call || call.id !== id) return;
     this.#running = null;
     this.milliseconds[call.method] = milliseconds;
+    this.memory = memory ?? null;
     if (call.method === this.#deaths.method) this.#deaths = { method: "", count: 0 };
     const { error, result } = unpack(packed);
     if (error) call.reject(new CoreError(/** @type {Failure} */ (error)));

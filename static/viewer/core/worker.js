@@ -35,12 +35,13 @@ const REST = 60;
 async function boot(runtime) {
   const began = performance.now();
   checkWebAssembly();
-  pyodide = await Promise.race([load(runtime), missingFile(runtime)]);
+  pyodide = await Promise.race([load(runtime), missingFile(runtime), brokenCode()]);
   const interpreter = performance.now();
   pyodide.pyimport("numpy").destroy();
   const numpy = performance.now();
   const { Door } = pyodide.pyimport("hexalab.session.door");
   door = Door();
+  pyodide.pyimport("gc").freeze(); // what is there from the start is never looked through for what can go
   setTimeout(() => asked || pyodide.pyimport("hexalab.session.warm_up").warm_up(Door()), IDLE);
   return {
     interpreter: interpreter - began,
@@ -107,6 +108,20 @@ function missingFile(runtime) {
   });
 }
 
+/** Rejects when the interpreter's code can't be compiled, after which `loadPyodide` never settles. @returns {Promise<never>} */
+function brokenCode() {
+  return new Promise((_, reject) => {
+    const compiling = WebAssembly.instantiateStreaming;
+    Object.assign(WebAssembly, {
+      instantiateStreaming: (/** @type {Parameters<typeof compiling>} */ ...given) => {
+        const made = compiling(...given);
+        made.catch((cause) => reject(new Error(`it can't be compiled: ${cause.message}`, { cause })));
+        return made;
+      },
+    });
+  });
+}
+
 /**
  * The block that an answer makes.
  *
@@ -136,7 +151,11 @@ function answer({ id, method, text, blocks }) {
   const packed = joined(laidOut);
   laidOut.destroy();
   given.destroy();
-  postMessage({ id, packed, milliseconds: performance.now() - began }, [packed]);
+  const { _module: module } = /** @type {{ _module: { HEAPU8: Uint8Array } }} */ (
+    /** @type {unknown} */ (pyodide)
+  );
+  const memory = module.HEAPU8.byteLength;
+  postMessage({ id, packed, milliseconds: performance.now() - began, memory }, [packed]);
 }
 
 /** The file that is to be identified once nothing else is asked for. @type {{ id: number, bytes: ArrayBuffer } | null} */
@@ -195,12 +214,28 @@ function described(error) {
     : { kind: "Error", message: String(error) };
 }
 
+/** While it starts, what fails is told by `boot`: what else failed because of it is no news. */
+self.addEventListener("unhandledrejection", (event) => {
+  if (!door) event.preventDefault();
+});
+
+/** Which of the interpreter's files is damaged, in words. @param {string} runtime @returns {Promise<string>} */
+async function damageOf(runtime) {
+  try {
+    const { damageInWords } = await import("./damage.js");
+    return await damageInWords(runtime);
+  } catch {
+    return ""; // it can't be told: there may be no network
+  }
+}
+
 self.onmessage = async ({ data }) => {
   if (data?.boot) {
     try {
       postMessage({ ready: await boot(data.boot) });
     } catch (error) {
-      postMessage({ failed: described(error) });
+      const damage = await damageOf(data.boot);
+      postMessage({ failed: damage ? { kind: "DamageError", message: damage } : described(error) });
     }
     return;
   }

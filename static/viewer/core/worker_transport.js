@@ -1,3 +1,5 @@
+import { scriptAddress } from "../../offline/trusted.js";
+
 /**
  * The way to a core that runs in a worker of this page: Pyodide, as on the static site.
  *
@@ -36,7 +38,7 @@ export class WorkerTransport {
       else if (data.refused) listener.refused(data.id, data.refused);
       else if (data.sha256) listener.identified(data.id, data.sha256, data.bytes);
       else if (data.broken) listener.broken(data.broken);
-      else listener.answered(data.id, data.packed, data.milliseconds);
+      else listener.answered(data.id, data.packed, data);
     };
     worker.onerror = (event) => {
       event.preventDefault?.();
@@ -52,7 +54,7 @@ export class WorkerTransport {
 
   /** @param {string | URL} address @returns {Worker} */
   makeWorker(address) {
-    return new Worker(address, { type: "module", name: "hexalab core" });
+    return new Worker(scriptAddress(address), { type: "module", name: "hexalab core" });
   }
 
   /** @param {import("./question.js").Question} question its blocks are handed over, not copied */

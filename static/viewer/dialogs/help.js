@@ -1,4 +1,5 @@
 import { KEYS, OTHER_KEYS } from "../input/keys.js";
+import { watch } from "../widgets/bind.js";
 import { h } from "../widgets/dom.js";
 import { dialog } from "./dialog.js";
 
@@ -11,7 +12,8 @@ function caps(key) {
 }
 
 /** The cheat sheet. @param {import("../widgets/bind.js").Context} context */
-export function helpDialog({ tables }) {
+export function helpDialog(context) {
+  const { tables } = context;
   const rows = [...KEYS, ...OTHER_KEYS];
   const groups = [...new Set(rows.map(({ group }) => group))];
   const sheets = groups.map((group) =>
@@ -39,6 +41,19 @@ export function helpDialog({ tables }) {
   return dialog("help", "Keys", [
     mouse,
     h("div", { class: "key-sheets" }, ...sheets),
-    h("p", { class: "quiet" }, `HexaLab ${tables.version}`),
+    h("p", { class: "quiet" }, `HexaLab ${tables.version}. `, offline(context)),
   ]);
+}
+
+/** Whether the viewer is there without a network. @param {import("../widgets/bind.js").Context} context */
+function offline(context) {
+  const words = h("span");
+  const address = new URL("offline/index.html", new URL(context.app.root, location.href)).href;
+  watch(context, { facts: ["lack"] }, () => {
+    const lack = context.facts.get("lack");
+    words.textContent = lack
+      ? `It does not work without a network: ${lack}. `
+      : "It works without a network after one visit. ";
+  });
+  return h("span", {}, words, h("a", { href: address, target: "_blank" }, "What this browser keeps"));
 }

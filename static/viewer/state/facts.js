@@ -51,6 +51,7 @@
  * @property {boolean} posing while settings change for the pictures of a figure, to be what they were
  * @property {boolean} remember whether the last files are kept in this browser
  * @property {{ name: string, press: () => unknown } | null} again the files that were open when the page was left
+ * @property {string | null} lack why this browser keeps nothing for when there is no network; empty where it does, null while that is not known
  * @property {import("./quality_filter.js").Keep | null} keep chosen while the quality filter hides nothing yet
  */
 
@@ -94,6 +95,7 @@ const NOTHING = {
   remember: true,
   again: null,
   offline: null,
+  lack: null,
   keep: null,
 };
 
