@@ -10,6 +10,9 @@ SITE := build/site
 BUILD := $(BIN)/hexalab build --repository repository --out $(SITE)
 export OMP_NUM_THREADS ?= 2
 
+# A screen for Firefox, where there is none.
+SCREEN = $(if $(DISPLAY),,$(if $(shell command -v xvfb-run),xvfb-run -a))
+
 .PHONY: serve pages build test lint bench nightly format clean
 .DELETE_ON_ERROR:
 
@@ -25,6 +28,7 @@ build: .venv/.ready node_modules/.ready build/pyodide-build/.ready
 
 test: build/.prepared build
 	node --test $$(find tests/viewer -name "*.test.js")
+	$(SCREEN) node --test tests/firefox/*.test.js
 	$(BIN)/pytest
 
 # Long fuzzing, and examples that hypothesis has not drawn before.

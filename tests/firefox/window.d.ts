@@ -1,0 +1,3 @@
+interface Window {
+  hexalab: import("../../static/viewer/app/api.js").HexaLab;
+}
