@@ -13,7 +13,7 @@ export OMP_NUM_THREADS ?= 2
 # A screen for Firefox, where there is none.
 SCREEN = $(if $(DISPLAY),,$(if $(shell command -v xvfb-run),xvfb-run -a))
 
-.PHONY: serve pages build test lint bench nightly format clean
+.PHONY: serve pages build test test-core lint bench nightly format clean
 .DELETE_ON_ERROR:
 
 # The pages stand at once; pictures that are missing are taken while they are served, and appear on a reload.
@@ -26,10 +26,15 @@ pages: .venv/.ready node_modules/.ready build/pyodide-build/.ready
 build: .venv/.ready node_modules/.ready build/pyodide-build/.ready
 	$(BUILD)
 
-test: build/.prepared build
+# The core is tested while the site's pictures are taken: both take minutes.
+test: build/.prepared pages
+	$(MAKE) -j2 --output-sync=target test-core build
 	node --test $$(find tests/viewer -name "*.test.js")
 	$(SCREEN) node --test tests/firefox/*.test.js
-	$(BIN)/pytest
+	$(BIN)/pytest --ignore=tests/core
+
+test-core: .venv/.ready
+	$(BIN)/pytest tests/core
 
 # Long fuzzing, and examples that hypothesis has not drawn before.
 nightly: .venv/.ready

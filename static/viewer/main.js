@@ -1,5 +1,6 @@
 import { answerMessages, HexaLab } from "./app/api.js";
 import { App } from "./app/app.js";
+import { Ahead } from "./catalogue/ahead.js";
 import { CoreClient } from "./core/client.js";
 import { WorkerTransport } from "./core/worker_transport.js";
 import { listenToClipboard } from "./input/clipboard.js";
@@ -16,6 +17,8 @@ import { StatusStore } from "./state/store.js";
 import { readTables } from "./state/tables.js";
 
 const { worker, runtime, root } = document.documentElement.dataset;
+const addressed = new URLSearchParams(location.search).get("mesh") ?? "";
+const ahead = new Ahead(new URL(/** @type {string} */ (root), location.href).href, addressed);
 const tables = readTables(document);
 const store = new StatusStore(tables.defaults);
 const facts = new Facts();
@@ -26,11 +29,25 @@ const client = new CoreClient(
     runtime: new URL(/** @type {string} */ (runtime), document.baseURI),
   }),
 );
+// What follows keeps the page busy for a while: the worker and the preview are on their way before.
+await Promise.all([
+  ahead.asked,
+  soon(new Promise((resolve) => client.addEventListener("loading", resolve, { once: true }))),
+]);
 const { scene, lack } = makeScene();
-const app = new App({ store, facts, client, scene, tables, canvas, root: /** @type {string} */ (root) });
+const app = new App({
+  store,
+  facts,
+  client,
+  scene,
+  tables,
+  canvas,
+  ahead,
+  root: /** @type {string} */ (root),
+});
 const page = new Page({ store, facts, app, tables }, canvas);
 
-app.start({ addressed: new URLSearchParams(location.search).has("mesh") });
+app.start({ addressed: addressed !== "" });
 if (lack) app.messages.say("error", lack);
 new Tools(app, canvas);
 listenToDrops(app);
@@ -43,6 +60,11 @@ Object.assign(window, { hexalab: api });
 answerMessages(api);
 document.getElementById("could-not-start")?.remove();
 openWhatTheAddressNames().catch(() => {}); // said in a message by whoever failed
+
+/** That, or some milliseconds later. @param {Promise<unknown>} coming */
+function soon(coming) {
+  return Promise.race([coming, new Promise((resolve) => setTimeout(resolve, 150))]);
+}
 
 /** @returns {{ scene: import("./scene/scene_like.js").SceneLike, lack: string }} one that draws nothing where the browser lacks WebGL 2 */
 function makeScene() {
@@ -60,9 +82,8 @@ function makeScene() {
 /** `?mesh=source/mesh` or `?mesh=address`, and the status in the hash. */
 async function openWhatTheAddressNames() {
   const status = await statusFromHash(location.hash).catch((error) => void app.messages.error(error));
-  const mesh = new URLSearchParams(location.search).get("mesh");
-  if (mesh && /^[\w.-]+\/[\w.-]+$/.test(mesh)) await app.openEntry(...pair(mesh), status);
-  else if (mesh) await app.openUrl(mesh, status);
+  if (/^[\w.-]+\/[\w.-]+$/.test(addressed)) await app.openEntry(...pair(addressed), status);
+  else if (addressed) await app.openUrl(addressed, status);
   else if (status) await app.documents.apply(status);
 }
 

@@ -67,7 +67,7 @@ def read_bytes(
 def _read(file: File) -> Mesh:
     """Read a file that is not wrapped."""
     try:
-        return choose(file).reader(file)
+        return choose(file).read(file)
     except MemoryError:
         raise file.error("there is not enough memory for this mesh") from None
 

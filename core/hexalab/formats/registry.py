@@ -3,21 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 from dataclasses import dataclass
+from importlib import import_module
 
 from ..mesh import Mesh
-from . import (
-    abaqus,
-    gmsh,
-    medit,
-    meditb,
-    mfem,
-    openvolumemesh,
-    ucd,
-    vtk_legacy,
-    vtu,
-)
 from .file import File
 from .foreign import foreign
 
@@ -44,15 +33,28 @@ class Format:
         Endings of file names, with the dot, in lower case.
     recognise : pattern
         What the first bytes of such a file match.
-    reader : callable
-        File in, Mesh out; raises MeshReadError.
+    module : str
+        Module of this package that reads it.
     """
 
     id: str
     name: str
     extensions: tuple[str, ...]
     recognise: re.Pattern[bytes]
-    reader: Callable[[File], Mesh]
+    module: str
+
+    def read(self, file: File) -> Mesh:
+        """Read a file of this format.
+
+        Its module is imported when it is first needed: a browser's Python starts the sooner.
+
+        Raises
+        ------
+        MeshReadError
+            If it can't be read.
+        """
+        mesh: Mesh = import_module(f".{self.module}", __package__).read(file)
+        return mesh
 
 
 FORMATS: tuple[Format, ...] = (
@@ -61,45 +63,45 @@ FORMATS: tuple[Format, ...] = (
         "Medit ASCII",
         (".mesh",),
         re.compile(START_OR_COMMENT + rb"MeshVersionFormatted\b", re.I),
-        medit.read,
+        "medit",
     ),
     Format(
         "vtk",
         "VTK legacy",
         (".vtk",),
         re.compile(START + rb"#\s*vtk\s+DataFile", re.I),
-        vtk_legacy.read,
+        "vtk_legacy",
     ),
     Format(
         "vtu",
         "VTK XML",
         (".vtu",),
         re.compile(START + rb"<(?:\?xml|!--|VTKFile)"),
-        vtu.read,
+        "vtu",
     ),
     Format(
         "meshb",
         "Medit binary",
         (".meshb",),
         re.compile(rb"\x01\x00{3}[\x01-\x04]\x00{3}|\x00{3}\x01\x00{3}[\x01-\x04]"),
-        meditb.read,
+        "meditb",
     ),
-    Format("msh", "Gmsh", (".msh",), re.compile(START + rb"\$(?:MeshFormat|Comments|NO[DE]\s)"), gmsh.read),
-    Format("ovm", "OpenVolumeMesh", (".ovm",), re.compile(START + rb"OVM\s", re.I), openvolumemesh.read),
+    Format("msh", "Gmsh", (".msh",), re.compile(START + rb"\$(?:MeshFormat|Comments|NO[DE]\s)"), "gmsh"),
+    Format("ovm", "OpenVolumeMesh", (".ovm",), re.compile(START + rb"OVM\s", re.I), "openvolumemesh"),
     Format(
         "inp",
         "Abaqus",
         (".inp",),
         re.compile(START + rb"\*(?:\*|HEADING|NODE\b|PART|INCLUDE)", re.I),
-        abaqus.read,
+        "abaqus",
     ),
-    Format("mfem", "MFEM", (".mesh",), re.compile(START_OR_COMMENT + rb"MFEM\s"), mfem.read),
+    Format("mfem", "MFEM", (".mesh",), re.compile(START_OR_COMMENT + rb"MFEM\s"), "mfem"),
     Format(
         "ucd",
         "AVS UCD",
         (".inp", ".ucd"),
         re.compile(START_OR_COMMENT + rb"\d+[ \t]+\d+[ \t]+\d+[ \t]+\d+[ \t]+\d+[ \t]*[\r\n]|\x07\x00"),
-        ucd.read,
+        "ucd",
     ),
 )
 """The formats that are read, as rows with `id`, `name`, `extensions` and more."""

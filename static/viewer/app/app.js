@@ -20,7 +20,6 @@ import { Views } from "./views.js";
 import { Superseded } from "../core/client.js";
 import { Batch } from "../batch/batch.js";
 import { counted } from "../state/numbers.js";
-import { Catalogue } from "../catalogue/catalogue.js";
 
 /**
  * The application: holds status, facts, core and scene together. Panels, keys and scripts call its actions; settings
@@ -37,6 +36,7 @@ import { Catalogue } from "../catalogue/catalogue.js";
  * @property {import("../scene/scene_like.js").SceneLike} scene
  * @property {import("../state/tables.js").Tables} tables
  * @property {HTMLCanvasElement} canvas
+ * @property {import("../catalogue/ahead.js").Ahead} ahead
  * @property {string} root address of the site's root, as the page has it
  *
  * @typedef {import("../state/facts.js").MeshSummary} MeshSummary
@@ -45,17 +45,18 @@ import { Catalogue } from "../catalogue/catalogue.js";
  * @implements {Actions}
  */
 export class App {
-  /** The catalogue, once it is there; null if there is none. @type {Promise<Catalogue | null>} */
+  /** The catalogue, once it is there; null if there is none. @type {Promise<import("../catalogue/catalogue.js").Catalogue | null>} */
   catalogue = Promise.resolve(null);
 
   /** @param {Parts} parts */
-  constructor({ store, facts, client, scene, tables, canvas, root }) {
+  constructor({ store, facts, client, scene, tables, canvas, ahead, root }) {
     this.store = store;
     this.facts = facts;
     this.client = client;
     this.scene = scene;
     this.tables = tables;
     this.canvas = canvas;
+    this.ahead = ahead;
     this.root = root;
     this.messages = new Messages(facts);
     this.progress = new Progress(facts);
@@ -143,7 +144,7 @@ export class App {
     rememberPreferences(facts);
     this.steps.start();
     void this.lastFiles.start();
-    if (!addressed) setTimeout(() => scene.warmUp());
+    if (!addressed) void scene.prepare();
   }
 
   async #restarted() {
@@ -160,7 +161,7 @@ export class App {
 
   async #fetchCatalogue() {
     try {
-      const catalogue = await Catalogue.fetch(new URL(this.root, location.href).href);
+      const catalogue = await this.ahead.catalogue;
       this.facts.set({ catalogue });
       return catalogue;
     } catch (error) {

@@ -1,5 +1,4 @@
 import { Superseded } from "../core/client.js";
-import { download } from "../../offline/download.js";
 import { unpack } from "../files/packing.js";
 import { NEW_MESH } from "../state/facts.js";
 import { count, counted } from "../state/numbers.js";
@@ -73,7 +72,7 @@ export class Opening {
     };
     try {
       const preview = this.#preview(origin, current);
-      void preview.then((shown) => shown || scene.warmUp()); // while the core starts
+      void preview.then(() => scene.prepare()); // while the core starts
       const bytes = await origin.bytes((fraction, text) => task.report(fraction, text));
       current();
       task.report(
@@ -230,7 +229,7 @@ export class Opening {
     if (!address || this.#app.facts.get("core") === "ready") return false;
     try {
       const packed = /** @type {import("../state/answers.js").Preview} */ (
-        /** @type {unknown} */ (unpack(await download(address, () => {})))
+        /** @type {unknown} */ (unpack(await this.#app.ahead.preview(address)))
       );
       current();
       if (this.#app.facts.get("core") === "ready") return false;

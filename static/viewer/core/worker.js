@@ -231,6 +231,7 @@ async function damageOf(runtime) {
 
 self.onmessage = async ({ data }) => {
   if (data?.boot) {
+    postMessage({ loading: "" });
     try {
       postMessage({ ready: await boot(data.boot) });
     } catch (error) {

@@ -72,21 +72,7 @@ export class DepthAtlas {
       depthTexture: depth,
       generateMipmaps: false,
     });
-    this.#material = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader: VERTEX,
-      fragmentShader: FRAGMENT,
-      uniforms: {
-        rowX: { value: this.rows.x },
-        rowY: { value: this.rows.y },
-        rowZ: { value: this.rows.z },
-      },
-      colorWrite: false,
-      side: FrontSide,
-      polygonOffset: true,
-      polygonOffsetFactor: 1.5,
-      polygonOffsetUnits: 4,
-    });
+    this.#material = depthMaterial(this.rows);
     this.#mesh = new Mesh(new InstancedBufferGeometry(), this.#material);
     this.#mesh.frustumCulled = false;
     this.#scene.add(this.#mesh);
@@ -145,4 +131,19 @@ export class DepthAtlas {
     this.target.depthTexture?.dispose();
     this.target.dispose();
   }
+}
+
+/** @param {{ x: Vector4[], y: Vector4[], z: Vector4[] }} rows of the views */
+export function depthMaterial({ x, y, z }) {
+  return new RawShaderMaterial({
+    glslVersion: GLSL3,
+    vertexShader: VERTEX,
+    fragmentShader: FRAGMENT,
+    uniforms: { rowX: { value: x }, rowY: { value: y }, rowZ: { value: z } },
+    colorWrite: false,
+    side: FrontSide,
+    polygonOffset: true,
+    polygonOffsetFactor: 1.5,
+    polygonOffsetUnits: 4,
+  });
 }

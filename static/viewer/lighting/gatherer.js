@@ -133,6 +133,11 @@ export class Gatherer {
     this.#scene.matrixWorldAutoUpdate = false;
   }
 
+  /** By which it is drawn. */
+  get material() {
+    return this.#material;
+  }
+
   /** The sums so far. @returns {import("three").Texture} */
   get texture() {
     return this.#targets[0].texture;

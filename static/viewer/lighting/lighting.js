@@ -57,6 +57,11 @@ export class Lighting {
     this.#layer = layer;
   }
 
+  /** By which light is gathered. */
+  get materials() {
+    return [...this.object.materials, ...this.#screen.materials];
+  }
+
   /** Whether the picture is as good as it will be. */
   get settled() {
     return this.mode !== "object_space_ao" || this.object.done;

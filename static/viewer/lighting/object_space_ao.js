@@ -1,6 +1,6 @@
 import { BufferAttribute, BufferGeometry } from "three";
 import { flatQuadIndex } from "../geometry/quad_index.js";
-import { DepthAtlas } from "./depth_atlas.js";
+import { DepthAtlas, depthMaterial } from "./depth_atlas.js";
 import { DIRECTIONS, directions } from "./directions.js";
 import { Gatherer } from "./gatherer.js";
 import { lightView } from "./light_view.js";
@@ -28,6 +28,8 @@ export class ObjectSpaceAO {
   #renderer;
   #towards = directions();
   #gatherer = new Gatherer();
+  /** Has the program of the depth maps, before there is one. */
+  #depths = depthMaterial({ x: [], y: [], z: [] });
   /** @type {DepthAtlas | null} */
   #atlas = null;
   /** @type {import("three").BufferGeometry | null} */
@@ -46,6 +48,11 @@ export class ObjectSpaceAO {
   /** @param {import("three").WebGLRenderer} renderer */
   constructor(renderer) {
     this.#renderer = renderer;
+  }
+
+  /** By which it is drawn. The depth maps' is that of one that is made later: its program is the same. */
+  get materials() {
+    return [this.#gatherer.material, this.#depths];
   }
 
   /** All directions, three numbers each. */
@@ -157,6 +164,7 @@ export class ObjectSpaceAO {
   }
 
   dispose() {
+    this.#depths.dispose();
     this.#gatherer.dispose();
     this.#atlas?.dispose();
     this.#dropPlates();

@@ -84,6 +84,11 @@ export class ScreenSpaceAO {
     for (const scene of [this.#geometryScene, this.#screenScene]) scene.matrixWorldAutoUpdate = false;
   }
 
+  /** By which it is drawn. */
+  get materials() {
+    return [this.#geometryMaterial, this.#occlusion, this.#blur];
+  }
+
   /** Openness per pixel in red. @returns {import("three").Texture | null} */
   get texture() {
     return this.#open?.[0].texture ?? null;

@@ -12,7 +12,7 @@ export class BlankScene {
   hurried = false;
   outward = false;
   covered = 0;
-  warmUp() {}
+  async prepare() {}
   setMesh() {}
   setSurface() {}
   setSilhouette() {}

@@ -10,6 +10,7 @@ import { frameOf } from "./frame_of.js";
 import { Layers } from "./layers/layers.js";
 import { Painter } from "./frame/painter.js";
 import { Pictures } from "./frame/pictures.js";
+import { Programs } from "./frame/programs.js";
 import { planeExtent } from "./layers/plane_extent.js";
 import { Pointing } from "./picking/pointing.js";
 import { Trackball } from "./camera/trackball.js";
@@ -46,6 +47,11 @@ export class Scene {
   #loop;
   #trackball;
   #drafts;
+  #programs;
+  /** Whether whole pictures can be drawn without waiting for their programs: until then, drafts are. */
+  #ready = false;
+  /** @type {Promise<void> | null} */
+  #preparing = null;
   #abort = new AbortController();
   /** @type {import("../geometry/records.js").MeshFrame} */
   #mesh = { cells: 0 };
@@ -62,12 +68,14 @@ export class Scene {
     this.#painter = new Painter(canvas);
     this.#view = new View(this.#rig, this.#painter);
     this.#layers = new Layers(this.#painter);
+    this.#programs = new Programs(this.#painter.renderer);
+    void this.#programs.compile([this.#layers.surface.material(true)]);
     this.#lighting = new Lighting(this.#painter.renderer, this.#layers.surface);
     this.#pictures = new Pictures(this.#view, this.#painter, this.#layers, this.#lighting);
     this.#pointing = new Pointing(this.#view, this.#painter);
     this.#loop = new FrameLoop(
       () => this.#draw(),
-      (now) => this.#drafts.step(now, (busy, slow) => this.#lighting.step(busy, slow)),
+      (now) => this.#step(now),
     );
     this.#trackball = new Trackball(canvas, this.#rig, {
       moved: () => this.#moved(),
@@ -117,11 +125,17 @@ export class Scene {
     return this.#events.on(name, listener);
   }
 
-  /** Has the GPU prepare all its programs before there is a mesh. */
-  warmUp() {
-    if (this.#mesh.cells > 0 || this.#painter.gl.isContextLost()) return;
-    this.#pictures.warmUp();
-    this.setSurface(null);
+  /** Has the GPU prepare all its programs, beside other work; whole pictures are drawn from then on. @returns {Promise<void>} */
+  prepare() {
+    this.#preparing ??= this.#prepare();
+    return this.#preparing;
+  }
+
+  async #prepare() {
+    if (!this.#painter.gl.isContextLost())
+      await this.#programs.compile([...this.#layers.materials, ...this.#lighting.materials]);
+    this.#ready = true;
+    this.#loop.invalidate();
   }
 
   /** Begins another mesh: what was drawn of the last one goes. @param {import("../geometry/records.js").MeshFrame} mesh */
@@ -274,6 +288,7 @@ export class Scene {
 
   /** @returns {Promise<void>} when the picture is drawn and will not change by itself */
   settled() {
+    void this.prepare();
     this.#loop.invalidate();
     return new Promise((resolve) => this.#waiting.push(resolve));
   }
@@ -324,13 +339,21 @@ export class Scene {
     this.#events.emit("camera", this.#rig.status);
   }
 
+  /** @param {number} now */
+  #step(now) {
+    if (!this.#ready) return { again: false, draw: false };
+    return this.#drafts.step(now, (busy, slow) => this.#lighting.step(busy, slow));
+  }
+
   #draw() {
     const started = performance.now();
-    const draft = this.#drafts.begin(started);
-    this.#pictures.show(draft, this.#drafts.held);
+    const draft = this.#drafts.begin(started, this.#ready);
+    this.#pictures.show(draft, this.#drafts.held, !this.#ready);
     this.timings.frame = performance.now() - started;
     this.#drafts.end();
     this.#tellMark();
+    // The first picture goes to the screen before the GPU gets more to do.
+    if (!this.#ready && this.#mesh.cells) requestAnimationFrame(() => setTimeout(() => void this.prepare()));
     if (draft || !this.#lighting.settled) return;
     this.timings.lighting = this.#lighting.elapsed;
     for (const resolve of this.#waiting.splice(0)) resolve();

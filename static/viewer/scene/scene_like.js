@@ -39,7 +39,7 @@
  * @property {boolean} outward whether every cell is valid at its corners: then the backs of faces need not be drawn
  * @property {<Name extends keyof SceneEvents>(name: Name, listener: (detail: SceneEvents[Name]) => void) => () => void} on
  *   what it returns takes the listener off
- * @property {() => void} warmUp
+ * @property {() => Promise<void>} prepare
  * @property {(mesh: import("../geometry/records.js").MeshFrame) => void} setMesh
  * @property {(surface: import("../geometry/records.js").Surface | null, same?: boolean) => void} setSurface
  * @property {(silhouette: import("../geometry/records.js").Silhouette | null) => void} setSilhouette

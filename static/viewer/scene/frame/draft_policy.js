@@ -6,7 +6,7 @@ import { Pace } from "./pace.js";
  * every move.
  *
  * @example
- * const draft = drafts.begin(performance.now());
+ * const draft = drafts.begin(performance.now(), ready);
  * drawPicture(draft);
  * drafts.end();
  */
@@ -63,9 +63,9 @@ export class DraftPolicy {
     return this.#turning() || this.#motion.busy(now);
   }
 
-  /** A picture is to be drawn. @param {number} now @returns {boolean} whether as a draft */
-  begin(now) {
-    this.#shown = this.#busy(now) && this.#motion.slow;
+  /** A picture is to be drawn. @param {number} now @param {boolean} ready whether a whole one can be @returns {boolean} whether as a draft */
+  begin(now, ready) {
+    this.#shown = !ready || (this.#busy(now) && this.#motion.slow);
     return this.#shown;
   }
 

@@ -101,14 +101,15 @@ export class Painter {
    *
    * @param {import("three").Camera} camera
    * @param {boolean} draft
-   * @param {boolean} [many] more drafts will follow: then the canvas itself becomes small, which takes longer than a draft but
-   *   makes each faster
+   * @param {{ many?: boolean, bare?: boolean }} [options] many: more drafts will follow: then the canvas itself becomes small, which
+   *   takes longer than a draft but makes each faster; bare: the model alone
    */
-  show(camera, draft, many = false) {
+  show(camera, draft, { many = false, bare = false } = {}) {
     if ((draft && many) !== this.#small) {
       this.#small = draft && many;
       this.#fit();
     }
+    if (bare) return this.#paintBare(camera);
     if (draft) return this.#paintDraft(camera);
     this.#whole ??= new WebGLRenderTarget(this.#size.width, this.#size.height, {
       format: RGBAFormat,
@@ -123,6 +124,15 @@ export class Painter {
   /** What is in the backdrop, or how it looks, has changed. */
   renewBackdrop() {
     this.#backdropVersion++;
+  }
+
+  /** @param {import("three").Camera} camera */
+  #paintBare(camera) {
+    const others = [this.backdrop, this.ink, this.overlay, this.veil];
+    this.#begin(null);
+    for (const part of others) part.visible = false;
+    this.renderer.render(this.#scene, camera);
+    for (const part of others) part.visible = true;
   }
 
   /** @param {import("three").Camera} camera */

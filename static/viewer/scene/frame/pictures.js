@@ -1,5 +1,3 @@
-import { PerspectiveCamera } from "three";
-import { UNSEEN } from "../layers/unseen.js";
 import { takePicture } from "./screenshot.js";
 
 /**
@@ -24,13 +22,19 @@ export class Pictures {
     this.#lighting = lighting;
   }
 
-  /** Draws the canvas anew. @param {boolean} draft @param {boolean} many whether more drafts will follow */
-  show(draft, many) {
+  /**
+   * Draws the canvas anew.
+   *
+   * @param {boolean} draft @param {boolean} many whether more drafts will follow
+   * @param {boolean} bare the surface alone: the first picture waits for no program but that one
+   */
+  show(draft, many, bare) {
     const { rig } = this.#view;
     const { width, height } = this.#painter.pixels(draft);
     this.#view.aim();
     this.#prepare({ width, height, whole: height, pixelRatio: this.#view.ratioOf(width), draft });
-    this.#painter.show(rig.camera, draft, many);
+    this.#painter.show(rig.camera, draft, { many, bare });
+    if (bare) return;
     const canvas = this.#painter.canvas.width;
     this.#painter.corner((renderer) =>
       this.#layers.gizmo.draw(renderer, rig.orientation, canvas, this.#view.ratioOf(canvas)),
@@ -76,19 +80,5 @@ export class Pictures {
     const pixel = this.#view.pixel(whole);
     this.#layers.view({ width, height, pixelRatio, pixel, draft, outside: rig.outside });
     this.#lighting.prepare(rig.camera, { width, height, perUnit: 1 / pixel, draft });
-  }
-
-  /** Has the GPU prepare all its programs, on a face that stands behind the eye; leaves that face in the layers. */
-  warmUp() {
-    const camera = new PerspectiveCamera();
-    this.#layers.setSurface(UNSEEN);
-    this.#layers.setSilhouette(UNSEEN);
-    this.#lighting.restart();
-    this.#lighting.object.advance(1);
-    for (const draft of [true, false]) {
-      this.#layers.view({ width: 1, height: 1, pixelRatio: 1, pixel: 1, draft, outside: false });
-      this.#painter.show(camera, draft);
-    }
-    this.#layers.setSilhouette(null);
   }
 }

@@ -12,6 +12,7 @@ import { release } from "./release.js";
 import { SeeThroughLayer } from "./see_through_layer.js";
 import { SilhouetteLayer } from "./silhouette_layer.js";
 import { SurfaceLayer } from "./surface_layer.js";
+import { materialsIn } from "../frame/programs.js";
 import { under } from "./under.js";
 
 /** Ink of a surface edge by the number of shown cells around it: darkness-coded edges. Row 0: all alike. */
@@ -185,6 +186,16 @@ export class Layers {
     const thinned = fading(edge / pixel);
     const ink = MEAN_INK[surface?.mode ?? "fissure"];
     return this.edges.opacity * ink * thinned * Math.min(1, this.edges.width * pixelRatio);
+  }
+
+  /** By which everything is drawn. @returns {Set<import("three").Material>} */
+  get materials() {
+    const { surface, silhouette, gizmo } = this;
+    const { backdrop, ink, overlay, veil } = this.#painter;
+    const found = [backdrop, ink, overlay, veil, gizmo.scene].map(materialsIn);
+    for (const layer of [surface, silhouette])
+      for (const draft of [true, false]) found.push(new Set([layer.material(draft)]));
+    return new Set(found.flatMap((some) => [...some]));
   }
 
   /** The context is lost: gives up what lay in it. */

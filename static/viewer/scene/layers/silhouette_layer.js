@@ -145,9 +145,14 @@ export class SilhouetteLayer {
     for (const each of this.#rims) each.uniforms.ink.value.w = rim;
   }
 
+  /** By which its rim is drawn: in a draft, or else. @param {boolean} draft */
+  material(draft) {
+    return this.#rims[draft ? 1 : 0];
+  }
+
   /** @param {boolean} draft shaded from the vertices of the front alone */
   set draft(draft) {
-    this.#meshes[2].material = this.#rims[draft ? 1 : 0];
+    this.#meshes[2].material = this.material(draft);
   }
 
   dispose() {

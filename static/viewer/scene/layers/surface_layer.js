@@ -128,8 +128,13 @@ export class SurfaceLayer {
    * @param {number} ink of the edges, 0 to 1
    */
   setDraft(draft, ink) {
-    this.mesh.material = draft ? this.#draft : this.#whole;
+    this.mesh.material = this.material(draft);
     this.uniforms.edgeInk.value = ink;
+  }
+
+  /** By which it is drawn: in a draft, or else. @param {boolean} draft */
+  material(draft) {
+    return draft ? this.#draft : this.#whole;
   }
 
   /** Whether only fronts can be seen: all faces look outward, and the eye is outside. @param {boolean} fronts */
