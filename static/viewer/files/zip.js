@@ -33,6 +33,10 @@ const COMMON = "222244422";
 export const MOST_ENTRIES = 10_000;
 export const MOST_BYTES = 2 ** 30;
 
+/** Nor may a file become more than so many times as large, above what is always fine: text of meshes shrinks 3 to 30 times. */
+const RATIO = 200;
+const ALWAYS_FINE = 64 * 2 ** 20;
+
 /** @param {ArrayBuffer} buffer @returns {Entry[]} the files in it, folders left out */
 export function readZip(buffer) {
   const view = new DataView(buffer);
@@ -85,7 +89,8 @@ async function unpack(buffer, name, { encrypted, method, size, local }) {
     throw new Error(
       `${name}: found compression method ${METHODS[method] ?? method}, expected 0 (stored) or 8 (deflated): pack it with the usual settings`,
     );
-  return inflated(bytes, "deflate-raw", { most: MOST_BYTES, name });
+  const most = Math.min(MOST_BYTES, Math.max(ALWAYS_FINE, RATIO * size));
+  return inflated(bytes, "deflate-raw", { most, name });
 }
 
 /** @param {readonly { name: string, bytes: Uint8Array<ArrayBuffer> }[]} files @returns {Blob} */

@@ -58,3 +58,16 @@ test("B1: what is no archive, or is cut short, is named", async () => {
   assert.throws(() => readZip(new ArrayBuffer(100)), /no ZIP archive/);
   assert.throws(() => readZip(buffer(python(PACK).subarray(0, -10))), /no ZIP archive, or it is cut short/);
 });
+
+const BOMB = `
+file = io.BytesIO()
+with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
+    archive.writestr("bomb.mesh", bytes(80 * 2**20))
+    archive.writestr("text.mesh", "1 2 3 4 " * 100000)
+sys.stdout.buffer.write(file.getvalue())`;
+
+test("O3: a file of an archive that becomes far too large is left, the others are read", async () => {
+  const entries = readZip(buffer(python(BOMB)));
+  await assert.rejects(entries[0].read(), /bomb.mesh: more than 64 MB when unpacked/);
+  assert.equal((await entries[1].read()).length, 800000);
+});

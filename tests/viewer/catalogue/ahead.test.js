@@ -1,0 +1,56 @@
+import assert from "node:assert/strict";
+import { afterEach, beforeEach, test } from "node:test";
+import { Ahead } from "../../../static/viewer/catalogue/ahead.js";
+
+const ROOT = "https://site.org/hexalab/";
+const ROW = {
+  slug: "cube",
+  name: "Cube",
+  url: "meshes/shapes/cube.mesh",
+  preview: "meshes/shapes/cube.preview",
+};
+const INDEX = { sources: [{ slug: "shapes", title: "Shapes", authors: [], meshes: [ROW] }] };
+const PREVIEW = `${ROOT}meshes/shapes/cube.preview`;
+
+/** @type {string[]} */
+let asked = [];
+const fetching = globalThis.fetch;
+
+beforeEach(() => {
+  asked = [];
+  Object.assign(globalThis, {
+    location: new URL(`${ROOT}viewer/`),
+    fetch: async (/** @type {string | URL} */ address) => {
+      asked.push(String(address));
+      return String(address).endsWith(".json") ? Response.json(INDEX) : new Response("abc");
+    },
+  });
+});
+afterEach(() => Object.assign(globalThis, { fetch: fetching }));
+
+test("O2 the preview is asked for as soon as the catalogue is there, and only once", async () => {
+  const ahead = new Ahead(ROOT, "shapes/cube");
+  await ahead.asked;
+  assert.deepEqual(asked, [`${ROOT}catalogue.json`, PREVIEW]);
+  assert.equal((await ahead.preview(PREVIEW)).byteLength, 3);
+  assert.equal(asked.length, 2);
+  await ahead.preview(PREVIEW);
+  assert.equal(asked.length, 3); // what was used is asked for anew
+});
+
+test("O2 another preview is fetched when it is wanted", async () => {
+  const ahead = new Ahead(ROOT, "shapes/other");
+  await ahead.asked;
+  assert.deepEqual(asked, [`${ROOT}catalogue.json`]);
+  await ahead.preview(`${ROOT}other.preview`);
+  assert.equal(asked.at(-1), `${ROOT}other.preview`);
+});
+
+test("O2 the page waits for no catalogue that does not come", async () => {
+  Object.assign(globalThis, { fetch: () => new Promise(() => {}) });
+  await new Ahead(ROOT, "shapes/cube").asked;
+  Object.assign(globalThis, { fetch: () => Promise.reject(new Error("no network")) });
+  const ahead = new Ahead(ROOT, "shapes/cube");
+  await ahead.asked;
+  await assert.rejects(ahead.catalogue, /no network/);
+});
