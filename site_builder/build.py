@@ -265,6 +265,7 @@ def _add_viewer(pages: Pages, output: Output) -> int:
     from .pages.viewer_tables import viewer_tables
 
     html = pages.viewer(
+        start="../" + report.scripts["start"],
         script="../" + report.scripts["main"],
         imports=["../" + script for script in report.imports],
         worker="../" + report.scripts["worker"],

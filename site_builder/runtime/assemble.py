@@ -24,7 +24,7 @@ class RuntimeReport:
     Attributes
     ----------
     scripts : dict of str to str
-        "main" and "worker" to their files' addresses, relative to the site's root.
+        "start", "main" and "worker" to their files' addresses, relative to the site's root.
     imports : list of str
         Addresses of what these scripts import before they run.
     runtime : str
@@ -84,7 +84,7 @@ def assemble(out: Path, cache: Path | None = None) -> RuntimeReport:
     _copy_tree(bundles, out / "viewer", leave_out=frozenset({"index.json"}))
     return RuntimeReport(
         {name: f"viewer/{one['script']}" for name, one in entries.items()},
-        [f"viewer/{script}" for one in entries.values() for script in one["imports"]],
+        sorted({f"viewer/{script}" for one in entries.values() for script in one["imports"]}),
         f"{runtime}/",
     )
 

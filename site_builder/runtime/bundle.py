@@ -7,7 +7,11 @@ import subprocess
 from pathlib import Path
 from typing import TypedDict
 
-ENTRIES = {"main": "static/viewer/main.js", "worker": "static/viewer/core/worker.js"}
+ENTRIES = {
+    "start": "static/viewer/start.js",
+    "main": "static/viewer/main.js",
+    "worker": "static/viewer/core/worker.js",
+}
 
 
 class Bundle(TypedDict):

@@ -4,8 +4,9 @@
  *
  *     await transact("readwrite", (store) => store.put({ files }, HELD));
  *
- * @typedef {{ path: string, file: Blob & { name?: string } }} Found  a file and its path
- * @typedef {{ files: readonly Found[], status?: unknown }} Held
+ * @typedef {{ path: string, file: File }} Found  a file and its path
+ * @typedef {{ files: readonly Found[], status?: { version?: number }, history?: { past: readonly object[], future: readonly object[] } }} Held
+ *   files that wait, or none where the page's address names the mesh; their settings, and the steps that led there
  */
 
 const DATABASE = "hexalab";

@@ -8,7 +8,7 @@ import { scriptAddress } from "./trusted.js";
  *     await registration.start();
  *
  * Events: "update" when a new version waits to be taken; "taken" when this page is served by another version than before,
- * because this page or another one took it; "failed" when a version could not be kept.
+ * because this page or another one took it; "failed" when the site could not be kept.
  */
 export class Registration extends EventTarget {
   #root;
@@ -51,8 +51,7 @@ export class Registration extends EventTarget {
         const coming = registration.installing;
         coming?.addEventListener("statechange", () => {
           if (coming.state === "installed" && serviceWorker.controller) this.#tell();
-          if (coming.state === "redundant" && coming !== registration.active)
-            this.dispatchEvent(new Event("failed"));
+          if (coming.state === "redundant" && !registration.active) this.dispatchEvent(new Event("failed"));
         });
       });
       return "";

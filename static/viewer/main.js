@@ -1,8 +1,5 @@
 import { answerMessages, HexaLab } from "./app/api.js";
 import { App } from "./app/app.js";
-import { Ahead } from "./catalogue/ahead.js";
-import { CoreClient } from "./core/client.js";
-import { WorkerTransport } from "./core/worker_transport.js";
 import { listenToClipboard } from "./input/clipboard.js";
 import { listenToDrops } from "./input/drop.js";
 import { listenToLaunches } from "./input/launches.js";
@@ -15,25 +12,13 @@ import { Facts } from "./state/facts.js";
 import { statusFromHash } from "./state/link.js";
 import { StatusStore } from "./state/store.js";
 import { readTables } from "./state/tables.js";
+import { addressed, ahead, client } from "./start.js";
 
-const { worker, runtime, root } = document.documentElement.dataset;
-const addressed = new URLSearchParams(location.search).get("mesh") ?? "";
-const ahead = new Ahead(new URL(/** @type {string} */ (root), location.href).href, addressed);
+const { root } = document.documentElement.dataset;
 const tables = readTables(document);
 const store = new StatusStore(tables.defaults);
 const facts = new Facts();
 const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById("canvas"));
-const client = new CoreClient(
-  new WorkerTransport({
-    worker: new URL(/** @type {string} */ (worker), document.baseURI),
-    runtime: new URL(/** @type {string} */ (runtime), document.baseURI),
-  }),
-);
-// What follows keeps the page busy for a while: the worker and the preview are on their way before.
-await Promise.all([
-  ahead.asked,
-  soon(new Promise((resolve) => client.addEventListener("loading", resolve, { once: true }))),
-]);
 const { scene, lack } = makeScene();
 const app = new App({
   store,
@@ -61,11 +46,6 @@ answerMessages(api);
 document.getElementById("could-not-start")?.remove();
 openWhatTheAddressNames().catch(() => {}); // said in a message by whoever failed
 
-/** That, or some milliseconds later. @param {Promise<unknown>} coming */
-function soon(coming) {
-  return Promise.race([coming, new Promise((resolve) => setTimeout(resolve, 150))]);
-}
-
 /** @returns {{ scene: import("./scene/scene_like.js").SceneLike, lack: string }} one that draws nothing where the browser lacks WebGL 2 */
 function makeScene() {
   try {
@@ -85,6 +65,7 @@ async function openWhatTheAddressNames() {
   if (/^[\w.-]+\/[\w.-]+$/.test(addressed)) await app.openEntry(...pair(addressed), status);
   else if (addressed) await app.openUrl(addressed, status);
   else if (status) await app.documents.apply(status);
+  if (addressed) await app.lastFiles.recall();
 }
 
 // A link to this very page with other settings, pasted into its address, changes nothing but the hash.

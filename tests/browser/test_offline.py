@@ -118,6 +118,8 @@ def test_O1_a_new_version_is_offered_and_nothing_is_lost(
         assert cells(page) == 12
         page.evaluate("() => window.hexalab.settled()")
         assert page.evaluate("() => window.hexalab.getStatus()") == before
+        page.get_by_role("button", name="Undo").click()  # nor is what could be undone
+        assert page.evaluate("() => window.hexalab.getStatus().filters.planes.items[0].offset") != 0.4
         waiting = "async () => Boolean((await navigator.serviceWorker.getRegistration()).waiting)"
         assert page.evaluate(waiting) is False
 

@@ -32,7 +32,7 @@ End
 `;
 
 /** What Firefox itself says of a fetch without a network. */
-const NO_NETWORK = /Failed to load|Cross-Origin Request Blocked/;
+const NO_NETWORK = /Failed to load|Cross-Origin Request Blocked|NetworkError when attempting/;
 
 /** Whether something is so in the end. @param {() => Promise<unknown>} question @param {string} what */
 async function until(question, what) {

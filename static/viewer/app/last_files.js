@@ -22,6 +22,10 @@ export class LastFiles {
   #writing;
   /** What is open, if it came as files. @type {readonly Found[] | null} */
   #open = null;
+  /** Whether something was held. @type {Promise<boolean>} */
+  #started = Promise.resolve(false);
+  /** What could be undone before the page was loaded again. @type {import("../state/store.js").StatusStore["history"] | null} */
+  #steps = null;
 
   /** @param {import("./app.js").App} app */
   constructor(app) {
@@ -33,7 +37,8 @@ export class LastFiles {
     const { store, facts } = this.#app;
     store.on("*", () => this.#writeSoon());
     facts.on("remember", (on) => !on && void this.forget());
-    if (await this.#resume()) return;
+    this.#started = this.#resume();
+    if (await this.#started) return;
     const found = facts.get("remember") ? await this.#read() : null;
     if (!found?.length || facts.get("summary")) return;
     const press = () => this.#again(found);
@@ -65,18 +70,30 @@ export class LastFiles {
   async hold() {
     const { facts, store } = this.#app;
     if (!facts.get("summary")) return;
-    if (new URLSearchParams(location.search).has("mesh")) {
+    const addressed = new URLSearchParams(location.search).has("mesh");
+    if (addressed)
       history.replaceState(history.state, "", `#${await statusToHash(store.status, store.defaults)}`);
-      return;
+    else if (!this.#open) throw new Error("it is no file of this machine");
+    const files = addressed ? [] : [...(this.#open ?? [])];
+    const held = { files, status: store.status, history: store.history };
+    try {
+      await transact("readwrite", (last) => last.put(held, HELD));
+      sessionStorage.setItem(MARK, HELD);
+    } catch (error) {
+      if (!addressed) throw error; // else the address has all but the steps that can be undone
     }
-    if (!this.#open) throw new Error("it is no file of this machine");
-    const files = [...this.#open];
-    await transact("readwrite", (held) => held.put({ files, status: store.status }, HELD));
-    sessionStorage.setItem(MARK, HELD);
+  }
+
+  /** The mesh that the address names is open: what could be undone before the page was loaded again can be undone again. */
+  async recall() {
+    await this.#started;
+    if (this.#steps) this.#app.store.recall(this.#steps);
+    this.#steps = null;
   }
 
   /** Come back to what was held. @returns {Promise<boolean>} whether something was */
   async #resume() {
+    const { store } = this.#app;
     const marked = kept(() => sessionStorage.getItem(MARK)) !== null;
     kept(() => sessionStorage.removeItem(MARK));
     const address = new URL(location.href);
@@ -86,12 +103,19 @@ export class LastFiles {
       address.searchParams.delete("held");
       history.replaceState(history.state, "", address);
     }
-    const held = /** @type {{ files: Found[], status: unknown } | null} */ (
+    const held = /** @type {import("../../offline/database.js").Held | null} */ (
       await this.#transact("readonly", (store) => store.get(HELD))
     );
     await this.#transact("readwrite", (store) => store.delete(HELD));
-    if (held) await this.#again(held.files, held.status ?? {});
-    return Boolean(held);
+    if (!held) return false;
+    const { files, status, history: steps } = held;
+    // A new version may have other settings: then its steps begin here.
+    this.#steps =
+      steps && status?.version === store.defaults.version
+        ? /** @type {import("../state/store.js").StatusStore["history"]} */ (steps)
+        : null;
+    if (files.length) void this.#again(files, status ?? {}).then(() => this.recall());
+    return true;
   }
 
   /** @param {readonly Found[]} found @param {unknown} [known] its settings, those that were written last without */

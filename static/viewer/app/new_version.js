@@ -5,7 +5,7 @@ const NOT_KEPT = "a file could not be fetched, or the browser's storage is full"
 
 /**
  * Keeps the site for when there is no network, and offers a new version of it. It is taken when the user says so: the page is
- * loaded again, with the mesh and all settings as they were.
+ * loaded again, with the mesh, all settings and what can be undone as they were.
  */
 export class NewVersion {
   #app;

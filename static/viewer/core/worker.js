@@ -231,7 +231,6 @@ async function damageOf(runtime) {
 
 self.onmessage = async ({ data }) => {
   if (data?.boot) {
-    postMessage({ loading: "" });
     try {
       postMessage({ ready: await boot(data.boot) });
     } catch (error) {

@@ -121,6 +121,19 @@ export class StatusStore {
     return this.#step(this.#future, this.#past);
   }
 
+  /** Steps that can be undone and redone, the last ones last. @returns {{ past: readonly Whole[], future: readonly Whole[] }} */
+  get history() {
+    return { past: [...this.#past], future: [...this.#future] };
+  }
+
+  /** Take up the steps of a page that was loaded again. @param {{ past: readonly Whole[], future: readonly Whole[] }} history */
+  recall({ past, future }) {
+    this.#past = past.map(deepFreeze);
+    this.#future = future.map(deepFreeze);
+    this.seal();
+    this.#tell([]);
+  }
+
   /** Forget all steps: what came before belongs to another mesh. */
   forget() {
     this.#past = [];

@@ -129,3 +129,20 @@ test("S2: the mesh's identity is not undone, and forget() empties the history", 
   one.forget();
   assert.equal(one.canRedo, false);
 });
+
+test("O1: steps outlive a page that is loaded again", () => {
+  const before = store();
+  before.set({ filters: { peel: { depth: 1 } } });
+  before.set({ filters: { peel: { depth: 2 } } });
+  before.set({ filters: { peel: { depth: 3 } } });
+  before.undo();
+  const held = structuredClone({ status: before.status, history: before.history });
+  const after = store();
+  after.set(held.status);
+  after.recall(held.history);
+  assert.equal(after.undo(), true);
+  assert.equal(after.status.filters.peel.depth, 1);
+  assert.equal(after.redo() && after.redo(), true);
+  assert.equal(after.status.filters.peel.depth, 3);
+  assert.throws(() => (after.status.filters.peel.depth = 9), TypeError);
+});
