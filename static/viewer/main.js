@@ -30,21 +30,31 @@ const app = new App({
   ahead,
   root: /** @type {string} */ (root),
 });
-const page = new Page({ store, facts, app, tables }, canvas);
-
 app.start({ addressed: addressed !== "" });
 if (lack) app.messages.say("error", lack);
-new Tools(app, canvas);
-listenToDrops(app);
-listenToKeys(app, page.dialogs.help);
-listenToClipboard(app);
-listenToLaunches(app);
 
 const api = new HexaLab(app);
 Object.assign(window, { hexalab: api });
 answerMessages(api);
 document.getElementById("could-not-start")?.remove();
 openWhatTheAddressNames().catch(() => {}); // said in a message by whoever failed
+if (addressed) void soon(app.opening.previewed).then(buildPage);
+else buildPage();
+
+/** All that stands around the picture: a mesh's preview, where there is one at hand, is drawn before. */
+function buildPage() {
+  const page = new Page({ store, facts, app, tables }, canvas);
+  new Tools(app, canvas);
+  listenToDrops(app);
+  listenToKeys(app, page.dialogs.help);
+  listenToClipboard(app);
+  listenToLaunches(app);
+}
+
+/** That, or some milliseconds later. @param {Promise<unknown>} coming */
+function soon(coming) {
+  return Promise.race([coming, new Promise((resolve) => setTimeout(resolve, 100))]);
+}
 
 /** @returns {{ scene: import("./scene/scene_like.js").SceneLike, lack: string }} one that draws nothing where the browser lacks WebGL 2 */
 function makeScene() {

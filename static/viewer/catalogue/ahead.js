@@ -1,4 +1,3 @@
-import { download } from "../../offline/download.js";
 import { Catalogue } from "./catalogue.js";
 
 /**
@@ -25,7 +24,7 @@ export class Ahead {
     const [source, slug] = mesh.split("/");
     const address = (await this.catalogue).entry(source, slug)?.mesh.preview;
     if (!address) return;
-    const bytes = download(address, () => {});
+    const bytes = whole(address);
     bytes.catch(() => {}); // said by whoever needs it
     this.#early = { address, bytes };
   }
@@ -34,6 +33,13 @@ export class Ahead {
   preview(address) {
     const early = this.#early;
     this.#early = null;
-    return early?.address === address ? early.bytes : download(address, () => {});
+    return early?.address === address ? early.bytes : whole(address);
   }
+}
+
+/** A preview is small: it comes in one piece. @param {string} address @returns {Promise<ArrayBuffer>} */
+async function whole(address) {
+  const answer = await fetch(address);
+  if (!answer.ok) throw new Error(`${address} could not be fetched: ${answer.status}`);
+  return answer.arrayBuffer();
 }
