@@ -8,6 +8,9 @@ import { nameIn } from "./address.js";
 /** Milliseconds after which a mesh that is opened again counts as new on the shelf. */
 const DAY = 24 * 3600e3;
 
+/** Milliseconds without a byte after which a mesh that is kept is taken from there. */
+const PATIENCE = 4000;
+
 /**
  * Fetches meshes by their address, and keeps them for when there is no network. One whose content is known by its SHA-256 comes
  * from there at once; any other is fetched anew where there is a network.
@@ -37,7 +40,7 @@ export class Fetching {
       return bytes;
     }
     try {
-      const bytes = await download(address, report);
+      const bytes = await download(address, report, found ? { patience: PATIENCE } : {});
       if (address.startsWith("http")) void this.#keep(address, bytes, known);
       return bytes;
     } catch (error) {
