@@ -74,7 +74,9 @@ test("O1 in Firefox: a second visit without a network, keep offline, a new versi
   };
   const opened = async (/** @type {number} */ cells) => {
     const there = () => page.evaluate((n) => window.hexalab?.summary()?.cells === n, cells);
-    await until(there, `${cells} cells`);
+    await until(there, `${cells} cells`).catch(async (error) => {
+      throw new Error(`${error.message}; the page says: ${await text()}`);
+    });
     await page.evaluate(() => window.hexalab.ready);
   };
 
@@ -133,7 +135,7 @@ test("O1 in Firefox: a second visit without a network, keep offline, a new versi
     site.instead.set("/service_worker.js", worker.replace(/("about\/index.html","revision":")\w+/, "$1next"));
     await page.evaluate(async () => void (await (await navigator.serviceWorker.getRegistration())?.update()));
     await says("A new version of HexaLab is there");
-    await press("reload");
+    await Promise.all([page.waitForNavigation(), press("reload")]);
     await opened(1);
     const mode = () => page.evaluate(() => window.hexalab.getStatus().separation.mode === "fissure");
     await until(mode, "the settings as before");

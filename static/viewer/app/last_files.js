@@ -106,9 +106,10 @@ export class LastFiles {
     const held = /** @type {import("../../offline/database.js").Held | null} */ (
       await this.#transact("readonly", (store) => store.get(HELD))
     );
-    await this.#transact("readwrite", (store) => store.delete(HELD));
     if (!held) return false;
-    const { files, status, history: steps } = held;
+    const { status, history: steps } = held;
+    const files = await copied(held.files); // before what they were read from goes
+    await this.#transact("readwrite", (store) => store.delete(HELD));
     // A new version may have other settings: then its steps begin here.
     this.#steps =
       steps && status?.version === store.defaults.version
@@ -159,6 +160,16 @@ export class LastFiles {
       return null;
     }
   }
+}
+
+/** Files that hang on no database. @param {readonly Found[]} files @returns {Promise<Found[]>} */
+function copied(files) {
+  return Promise.all(
+    files.map(async ({ path, file }) => {
+      const { name, type, lastModified } = file;
+      return { path, file: new File([await file.arrayBuffer()], name, { type, lastModified }) };
+    }),
+  );
 }
 
 /** What a browser may refuse to keep. @template T @param {() => T} act @returns {T | null} */
