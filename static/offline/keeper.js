@@ -152,17 +152,19 @@ export class Keeper {
   }
 }
 
-/** @param {readonly (() => Promise<void>)[]} tasks */
+/** When one fails, no other is begun; what is under way ends first. @param {readonly (() => Promise<void>)[]} tasks */
 async function sideBySide(tasks) {
   const left = [...tasks];
   const worker = async () => {
-    for (let task = left.shift(); task; task = left.shift()) await task();
+    try {
+      for (let task = left.shift(); task; task = left.shift()) await task();
+    } catch (error) {
+      left.length = 0;
+      throw error;
+    }
   };
-  try {
-    await Promise.all(Array.from({ length: AT_ONCE }, worker));
-  } finally {
-    left.length = 0;
-  }
+  const ends = await Promise.allSettled(Array.from({ length: AT_ONCE }, worker));
+  for (const end of ends) if (end.status === "rejected") throw end.reason;
 }
 
 /** @param {() => Promise<unknown>} put */
