@@ -1,5 +1,5 @@
 import { Keeper, StorageFull } from "../offline/keeper.js";
-import { parcelOf } from "../offline/parcel.js";
+import { fetchSources, parcelOf } from "../offline/parcel.js";
 import { Shelf } from "../offline/shelf.js";
 import { fileSize } from "../offline/sizes.js";
 import { askLasting } from "../offline/storage.js";
@@ -113,10 +113,7 @@ class KeepControl {
   }
 
   async #parcel() {
-    const answer = await fetch(new URL("catalogue.json", this.#root));
-    if (!answer.ok) throw new Error(`The catalogue's list could not be fetched: ${answer.status}`);
-    /** @type {{ sources: { slug: string, meshes: import("../offline/parcel.js").CatalogueRow[] }[] }} */
-    const { sources } = await answer.json();
+    const sources = await fetchSources(this.#root);
     const [slug, mesh = ""] = this.#what.split("/");
     const source = sources.find((one) => one.slug === slug);
     if (!source) throw new Error(`The catalogue's list has no source ${slug}: load the page again`);

@@ -1,4 +1,5 @@
 import { free, freeEverything, inventory } from "../offline/inventory.js";
+import { fetchSources } from "../offline/parcel.js";
 import { Registration } from "../offline/registration.js";
 import { Shelf } from "../offline/shelf.js";
 import { fileSize } from "../offline/sizes.js";
@@ -13,8 +14,6 @@ import { askLasting, isLasting, quota } from "../offline/storage.js";
 const root = new URL(document.body.dataset.root || "./", location.href);
 const shelf = new Shelf(root);
 const registration = new Registration(root);
-/** Why nothing is kept, in words; empty where it is, or will be. */
-let lack = registration.lack;
 /** @type {Map<string, Known> | null} */
 let catalogue = null;
 
@@ -54,17 +53,12 @@ everything.addEventListener("click", async () => {
   await show();
 });
 everything.addEventListener("blur", () => (everything.textContent = "Free everything"));
-registration.addEventListener("failed", () => {
-  lack = "a file could not be fetched, or the browser's storage is full";
-  void show();
-});
+registration.addEventListener("failed", show);
 void show();
-void registration.start().then((reason) => {
-  lack = reason;
-  return reason ? show() : navigator.serviceWorker.ready.then(show);
-});
+void registration.start().then((lack) => (lack ? show() : navigator.serviceWorker.ready.then(show)));
 
 async function show() {
+  const { lack } = registration;
   if (lack || !shelf.works) {
     state.textContent = `Nothing is kept: ${lack || "this browser keeps nothing here"}.`;
     body.classList.add("keeps-nothing");
@@ -183,9 +177,7 @@ function link(text, address) {
 /** Meshes of the catalogue by their files' addresses. @returns {Promise<Map<string, Known>>} */
 async function knownMeshes() {
   try {
-    const answer = await fetch(new URL("catalogue.json", root));
-    /** @type {{ sources: { slug: string, meshes: import("../offline/parcel.js").CatalogueRow[] }[] }} */
-    const { sources } = await answer.json();
+    const sources = await fetchSources(root);
     const rows = sources.flatMap((source) =>
       source.meshes.map(
         ({ slug, name, url }) =>

@@ -1,7 +1,7 @@
 import { download } from "./download.js";
 import { sha256 } from "./hash.js";
 import { cacheNames } from "./names.js";
-import { Shelf } from "./shelf.js";
+import { isRecent, Shelf } from "./shelf.js";
 import { inertDocument } from "./trusted.js";
 
 /**
@@ -21,9 +21,6 @@ import { inertDocument } from "./trusted.js";
 
 /** Files that are fetched side by side. */
 const AT_ONCE = 3;
-
-/** Milliseconds for which a mesh that was opened is what its host has, where its content is not known. */
-const DAY = 24 * 3600e3;
 
 /** There is no room for more: what has come stays. */
 export class StorageFull extends Error {}
@@ -109,7 +106,7 @@ export class Keeper {
   /** @param {Item} item @param {AbortSignal} signal @param {(bytes: number) => void} report */
   async #mesh({ address, name, sha256: known }, signal, report) {
     const found = await this.#shelf.find(address);
-    if (found && (known ? found.row.sha256 === known : Date.now() - Number(found.row.date) < DAY)) {
+    if (found && (known ? found.row.sha256 === known : isRecent(found.row))) {
       await keeping(() => this.#shelf.keep(address, true));
       return;
     }

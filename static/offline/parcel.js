@@ -45,3 +45,10 @@ export function parcelOf(source, mesh, root) {
     previews: rows.flatMap(({ preview }) => (preview ? [absolute(preview)] : [])),
   };
 }
+
+/** The sources of the catalogue. @param {URL} root of the site @returns {Promise<{ slug: string, meshes: CatalogueRow[] }[]>} @throws {Error} its list can't be had */
+export async function fetchSources(root) {
+  const answer = await fetch(new URL("catalogue.json", root));
+  if (!answer.ok) throw new Error(`The catalogue's list could not be fetched: ${answer.status}`);
+  return (await answer.json()).sources;
+}

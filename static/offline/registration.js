@@ -14,6 +14,8 @@ export class Registration extends EventTarget {
   #root;
   /** @type {ServiceWorkerRegistration | null} */
   #registration = null;
+  /** Why the site could not be kept though the browser keeps pages. */
+  #failure = "";
 
   /** @param {URL} root of the site */
   constructor(root) {
@@ -27,7 +29,7 @@ export class Registration extends EventTarget {
       return "the page does not come over https: browsers keep pages of secure sites alone";
     if (!("serviceWorker" in navigator))
       return "this browser keeps no pages here: it may be a private window, or service workers are switched off";
-    return "";
+    return this.#failure;
   }
 
   /** @returns {Promise<string>} why the site is not kept, in words; empty if it is, or will be */
@@ -51,12 +53,13 @@ export class Registration extends EventTarget {
         const coming = registration.installing;
         coming?.addEventListener("statechange", () => {
           if (coming.state === "installed" && serviceWorker.controller) this.#tell();
-          if (coming.state === "redundant" && !registration.active) this.dispatchEvent(new Event("failed"));
+          if (coming.state === "redundant" && !registration.active) this.#fail();
         });
       });
       return "";
     } catch (error) {
-      return error instanceof Error ? error.message : String(error);
+      this.#failure = error instanceof Error ? error.message : String(error);
+      return this.#failure;
     }
   }
 
@@ -70,6 +73,11 @@ export class Registration extends EventTarget {
     const waiting = this.#registration?.waiting;
     waiting?.postMessage({ take: true });
     return Boolean(waiting);
+  }
+
+  #fail() {
+    this.#failure = "a file could not be fetched, or the browser's storage is full";
+    this.dispatchEvent(new Event("failed"));
   }
 
   #tell() {

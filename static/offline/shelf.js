@@ -24,6 +24,9 @@ const SHA256 = "x-hexalab-sha256";
 const DATE = "x-hexalab-date";
 const KEPT = "x-hexalab-kept";
 
+/** Milliseconds for which what is here counts as what its host has. */
+const DAY = 24 * 3600e3;
+
 /** Bytes of opened meshes that are kept unless the user chose otherwise. */
 export const USUAL_LIMIT = 500e6;
 
@@ -163,4 +166,9 @@ function rowOf(address, { headers }) {
     date: new Date(headers.get(DATE) ?? 0),
     kept: headers.get(KEPT) === "1",
   };
+}
+
+/** Whether a mesh was put here within a day. @param {Row} row */
+export function isRecent({ date }) {
+  return Date.now() - Number(date) < DAY;
 }

@@ -1,12 +1,9 @@
 import { download } from "../../offline/download.js";
 import { sha256 } from "../../offline/hash.js";
-import { Shelf } from "../../offline/shelf.js";
+import { isRecent, Shelf } from "../../offline/shelf.js";
 import { nameIn } from "./address.js";
 
 /** @typedef {import("./opening.js").Origin} Origin @typedef {{ name: string, sha256: string }} Known */
-
-/** Milliseconds after which a mesh that is opened again counts as new on the shelf. */
-const DAY = 24 * 3600e3;
 
 /** Milliseconds without a byte after which a mesh that is kept is taken from there. */
 const PATIENCE = 4000;
@@ -36,7 +33,7 @@ export class Fetching {
     const found = await this.#shelf.find(address);
     if (found && known.sha256 && found.row.sha256 === known.sha256) {
       const bytes = await found.response.arrayBuffer();
-      if (Date.now() - Number(found.row.date) > DAY) void this.#keep(address, bytes, known);
+      if (!isRecent(found.row)) void this.#keep(address, bytes, known);
       return bytes;
     }
     try {

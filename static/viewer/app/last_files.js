@@ -108,7 +108,7 @@ export class LastFiles {
     );
     if (!held) return false;
     const { status, history: steps } = held;
-    const files = await copied(held.files); // before what they were read from goes
+    const files = await copied(held.files).catch(() => held.files); // before what they were read from goes
     await this.#transact("readwrite", (store) => store.delete(HELD));
     // A new version may have other settings: then its steps begin here.
     this.#steps =

@@ -1,8 +1,5 @@
 import { Registration } from "../../offline/registration.js";
 
-/** Why nothing is kept though the browser could. */
-const NOT_KEPT = "a file could not be fetched, or the browser's storage is full";
-
 /**
  * Keeps the site for when there is no network, and offers a new version of it. It is taken when the user says so: the page is
  * loaded again, with the mesh, all settings and what can be undone as they were.
@@ -22,8 +19,10 @@ export class NewVersion {
 
   /** Once the core has come: what is kept for later takes nothing from what is wanted now. */
   async start() {
-    this.#registration.addEventListener("failed", () => this.#app.facts.set({ lack: NOT_KEPT }));
-    this.#app.facts.set({ lack: await this.#registration.start() });
+    const tell = () => this.#app.facts.set({ lack: this.#registration.lack });
+    this.#registration.addEventListener("failed", tell);
+    await this.#registration.start();
+    tell();
     addEventListener("online", () => void this.#registration.look());
     addEventListener("visibilitychange", () => {
       if (document.visibilityState === "visible") void this.#registration.look();

@@ -1,4 +1,3 @@
-import { Vector3 } from "three";
 import { Lighting } from "../lighting/lighting.js";
 import { CameraRig } from "./camera/camera_rig.js";
 import { DraftPolicy } from "./frame/draft_policy.js";
@@ -11,6 +10,7 @@ import { Layers } from "./layers/layers.js";
 import { Painter } from "./frame/painter.js";
 import { Pictures } from "./frame/pictures.js";
 import { Programs } from "./frame/programs.js";
+import { rightmostOf } from "./camera/rightmost.js";
 import { planeExtent } from "./layers/plane_extent.js";
 import { Pointing } from "./picking/pointing.js";
 import { Trackball } from "./camera/trackball.js";
@@ -361,16 +361,7 @@ export class Scene {
 
   /** Tells the rightmost place of the marked cell on the canvas; null where it is behind the eye, or none is marked. */
   #tellMark() {
-    const { width, height } = this.#view.size;
-    /** @type {import("./scene_like.js").Place | null} */
-    let at = null;
-    for (let k = 0; k < (this.#marked?.length ?? 0); k += 3) {
-      const place = new Vector3()
-        .fromArray(/** @type {Float32Array} */ (this.#marked), k)
-        .project(this.#rig.camera);
-      const x = ((place.x + 1) / 2) * width;
-      if (Math.abs(place.z) <= 1 && x > (at?.x ?? -Infinity)) at = { x, y: ((1 - place.y) / 2) * height };
-    }
+    const at = rightmostOf(this.#marked ?? [], this.#rig.camera, this.#view.size);
     if (at?.x === this.#markedAt?.x && at?.y === this.#markedAt?.y) return;
     this.#markedAt = at;
     this.#events.emit("marked", at);
