@@ -9,14 +9,28 @@ import { WorkerTransport } from "./core/worker_transport.js";
 
 const { worker, runtime, root } = document.documentElement.dataset;
 
+/** Processor cores on which the first picture and Python get in each other's way: there one comes after the other. */
+const FEW_CORES = 2;
+
+/** Milliseconds that Python waits for the first picture, at most: a later one waits for the network. */
+const PATIENCE = 1000;
+
 /** The mesh that the page's address names: "source/mesh", an address, or nothing. */
 export const addressed = new URLSearchParams(location.search).get("mesh") ?? "";
 
 export const ahead = new Ahead(new URL(/** @type {string} */ (root), location.href).href, addressed);
 
+const inTurn = addressed !== "" && navigator.hardwareConcurrency <= FEW_CORES;
+
 export const client = new CoreClient(
   new WorkerTransport({
     worker: new URL(/** @type {string} */ (worker), document.baseURI),
     runtime: new URL(/** @type {string} */ (runtime), document.baseURI),
+    turn: inTurn ? Promise.race([ahead.shown, later(PATIENCE)]) : null,
   }),
 );
+
+/** @param {number} milliseconds @returns {Promise<void>} */
+function later(milliseconds) {
+  return new Promise((resolve) => setTimeout(resolve, milliseconds));
+}

@@ -131,3 +131,67 @@ def test_R7_sha256_is_known_where_the_browser_has_no_hash(chromium: Browser, sit
     expected = hashlib.sha256((shelf / "hash.mesh").read_bytes()).hexdigest()
     ui.until(lambda: ui.status(page)["mesh"]["sha256"] == expected)
     page.context.close()
+
+
+WATCHED = """
+const cores = %d;
+Object.defineProperty(navigator, 'hardwareConcurrency', { get: () => cores });
+const send = Worker.prototype.postMessage;
+Worker.prototype.postMessage = function (message, ...more) {
+    if (message.boot) window.booted = performance.now();
+    return send.call(this, message, ...more);
+};
+window.linked = [];
+const link = WebGL2RenderingContext.prototype.linkProgram;
+WebGL2RenderingContext.prototype.linkProgram = function (program) {
+    window.linked.push(performance.now());
+    return link.call(this, program);
+};
+"""
+DRAWN = """async () => {
+    const until = async (done) => { while (!done()) await new Promise((soon) => setTimeout(soon, 5)); };
+    await until(() => window.hexalab?.timings().preview);
+    await window.hexalab.ready;
+    const ready = performance.now();
+    await window.hexalab.settled();
+    const { booted, linked } = window;
+    return { booted, picture: window.hexalab.timings().preview, early: linked.filter((at) => at < ready).length,
+        linked: linked.length };
+}"""
+
+
+@pytest.mark.parametrize("cores", [2, 8])
+def test_O4_on_few_cores_python_starts_after_the_first_picture(
+    chromium: Browser, site: str, cores: int
+) -> None:
+    page, errors = start(
+        chromium, f"{site}/viewer/?mesh=shapes/cube", lambda page: page.add_init_script(WATCHED % cores)
+    )
+    seen = page.evaluate(DRAWN)
+    assert (seen["booted"] < seen["picture"]) == (cores > 2)
+    assert not errors
+    page.context.close()
+
+
+def test_O4_one_program_is_compiled_before_python_where_the_processor_draws(
+    chromium: Browser, site: str
+) -> None:
+    page, _ = start(
+        chromium, f"{site}/viewer/?mesh=shapes/cube", lambda page: page.add_init_script(WATCHED % 8)
+    )
+    seen = page.evaluate(DRAWN)
+    assert seen["early"] <= 2 < seen["linked"]
+    page.context.close()
+
+
+def test_O4_a_preview_that_does_not_come_holds_nothing_up(chromium: Browser, site: str) -> None:
+    def held(page: Page) -> None:
+        page.add_init_script(WATCHED % 2)
+        page.route("**/*.preview", lambda route: None)
+
+    page, _ = start(chromium, f"{site}/viewer/?mesh=shapes/cube", held)
+    ui.until(lambda: page.evaluate("() => window.hexalab?.ready.then(() => true)"), 40)
+    page.evaluate(
+        "async () => { while (!window.hexalab.summary()) await new Promise((r) => setTimeout(r, 20)); }"
+    )
+    page.context.close()

@@ -69,7 +69,7 @@ export class Opening {
    * @throws {Error} what could not be read, in words that were also shown
    */
   async open(origin) {
-    const { progress, messages, client, scene } = this.#app;
+    const { progress, messages, client } = this.#app;
     const turn = ++this.#turn;
     const began = performance.now();
     const task = progress.begin(`fetching ${origin.name}`);
@@ -78,7 +78,7 @@ export class Opening {
     };
     try {
       const preview = this.#preview(origin, current);
-      void preview.then(() => scene.prepare()); // while the core starts
+      void preview.then(() => this.#wholePictures());
       const bytes = await origin.bytes((fraction, text) => task.report(fraction, text));
       current();
       task.report(
@@ -248,6 +248,14 @@ export class Opening {
     } catch {
       return false; // the mesh itself is on its way
     }
+  }
+
+  /** While the core starts; after it, where both would have to be done by the processor. */
+  async #wholePictures() {
+    const { ahead, client, scene } = this.#app;
+    ahead.tellShown();
+    if (scene.software) await client.ready.catch(() => {});
+    void scene.prepare();
   }
 
   #tellPreviewed() {

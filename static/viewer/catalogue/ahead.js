@@ -10,12 +10,17 @@ import { Catalogue } from "./catalogue.js";
 export class Ahead {
   /** The catalogue's index. @type {Promise<Catalogue>} */
   catalogue;
+  /** When the first picture is drawn, or none is to come before the core has read the mesh. @type {Promise<void>} */
+  shown;
+  /** Says so. @type {() => void} */
+  tellShown = () => {};
   /** @type {{ address: string, bytes: Promise<ArrayBuffer> } | null} */
   #early = null;
 
   /** @param {string} root whole address of the site's root @param {string} mesh "source/mesh", or anything else */
   constructor(root, mesh) {
     this.catalogue = Catalogue.fetch(root);
+    this.shown = new Promise((resolve) => (this.tellShown = resolve));
     void this.#ask(mesh).catch(() => {}); // said by whoever needs it
   }
 

@@ -10,13 +10,20 @@ import { scriptAddress } from "../../offline/trusted.js";
 export class WorkerTransport {
   #address;
   #runtime;
+  #turn;
   /** @type {Worker | null} */
   #worker = null;
 
-  /** @param {{ worker: string | URL, runtime: string | URL }} places `worker`: address of the bundled worker; `runtime`: of the interpreter's folder, ending in a slash */
-  constructor({ worker, runtime }) {
+  /**
+   * @param {object} places
+   * @param {string | URL} places.worker address of the bundled worker
+   * @param {string | URL} places.runtime address of the interpreter's folder, ending in a slash
+   * @param {Promise<unknown> | null} [places.turn] before which the interpreter does not start
+   */
+  constructor({ worker, runtime, turn = null }) {
     this.#address = worker;
     this.#runtime = String(runtime);
+    this.#turn = turn;
   }
 
   /** @param {Listener} listener */
@@ -48,7 +55,9 @@ export class WorkerTransport {
     };
     worker.onmessageerror = () =>
       listener.broken({ kind: "WorkerError", message: "an answer of the core could not be received" });
-    worker.postMessage({ boot: this.#runtime });
+    const boot = () => worker.postMessage({ boot: this.#runtime });
+    if (this.#turn === null) boot();
+    else void this.#turn.then(boot);
     this.#worker = worker;
   }
 

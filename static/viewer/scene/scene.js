@@ -10,6 +10,7 @@ import { Layers } from "./layers/layers.js";
 import { Painter } from "./frame/painter.js";
 import { Pictures } from "./frame/pictures.js";
 import { Programs } from "./frame/programs.js";
+import { isSoftware } from "./frame/software.js";
 import { rightmostOf } from "./camera/rightmost.js";
 import { planeExtent } from "./layers/plane_extent.js";
 import { Pointing } from "./picking/pointing.js";
@@ -103,6 +104,11 @@ export class Scene {
   /** Pictures drawn since the scene was made. */
   get frames() {
     return this.#loop.frames;
+  }
+
+  /** Whether the processor draws, for want of a GPU. */
+  get software() {
+    return isSoftware(this.#painter.gl);
   }
 
   /** Whether surfaces are wanted fast rather than whole. */
@@ -352,8 +358,6 @@ export class Scene {
     this.timings.frame = performance.now() - started;
     this.#drafts.end();
     this.#tellMark();
-    // The first picture goes to the screen before the GPU gets more to do.
-    if (!this.#ready && this.#mesh.cells) requestAnimationFrame(() => setTimeout(() => void this.prepare()));
     if (draft || !this.#lighting.settled) return;
     this.timings.lighting = this.#lighting.elapsed;
     for (const resolve of this.#waiting.splice(0)) resolve();

@@ -48,6 +48,13 @@ function client() {
   return { client: made, workers, worker: workers[0] };
 }
 
+/** @returns {{ promise: Promise<void>, resolve: () => void }} */
+function withResolvers() {
+  let resolve = () => {};
+  const promise = /** @type {Promise<void>} */ (new Promise((told) => (resolve = told)));
+  return { promise, resolve };
+}
+
 /** @param {Event} event */
 const detailOf = (event) => /** @type {CustomEvent} */ (event).detail;
 /** @param {ManualWorker} worker */
@@ -67,6 +74,21 @@ test("the worker is told where the runtime is, and calls wait until Python is re
   worker.answer(last(worker), { a: 1 }, 5);
   assert.deepEqual(await answer, { a: 1 });
   assert.equal(core.milliseconds.validity, 5);
+});
+
+test("O4 what is to come before Python has its turn first", async () => {
+  const worker = new ManualWorker();
+  const { promise: turn, resolve } = withResolvers();
+  const transport = new WorkerTransport({ worker: "worker.js", runtime: "runtime/", turn });
+  transport.makeWorker = () => /** @type {any} */ (worker);
+  const core = new CoreClient(transport);
+  await new Promise((soon) => setTimeout(soon, 5));
+  assert.deepEqual(worker.sent, []);
+  resolve();
+  await turn;
+  assert.deepEqual(worker.sent, [{ boot: "runtime/" }]);
+  boot(worker);
+  await core.ready;
 });
 
 test("P2 a newer slice takes the place of one that still waits; the pointer never queues", async () => {

@@ -1,11 +1,12 @@
+import { isSoftware } from "./software.js";
+
 /** Milliseconds that the GPU may take for a whole picture before moving ones are drawn as drafts. */
 const LIMIT = 34;
 
 /** Pictures that must have been timed before their times count more than the GPU's name: the first ones compile shaders. */
 const TIMED = 3;
 
-/** GPUs that are programs, which draw a surface of many faces too slowly to follow a hand. */
-const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
+/** Faces of a surface that the processor draws too slowly to follow a hand. */
 const MANY = 4000;
 
 /**
@@ -26,8 +27,7 @@ export class Pace {
   /** @param {WebGL2RenderingContext} gl */
   constructor(gl) {
     this.#gl = gl;
-    const names = gl.getExtension("WEBGL_debug_renderer_info");
-    this.#software = SOFTWARE.test(gl.getParameter(names?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER) ?? "");
+    this.#software = isSoftware(gl);
   }
 
   /** @param {number} faces of the surface @returns {boolean} */
