@@ -50,7 +50,11 @@ class KeepControl {
         : "Pages that do not come over https can't be kept";
       return;
     }
-    if ((await this.#shelf.list().catch(() => [])).length) await this.#show();
+    try {
+      if ((await this.#shelf.list()).length) await this.#show();
+    } catch {
+      // the page is being left, or its list can't be had: the button says so when it is pressed
+    }
   }
 
   async #press() {
