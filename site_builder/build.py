@@ -15,11 +15,12 @@ from .citing.exports import bibtex, csl_json, ris
 from .measuring.making import MakingError, make
 from .measuring.measurer import Measurer
 from .model.catalogue import Catalogue, Problem
+from .model.names import on_this_machine
 from .model.problems import disagreements, problem_of
 from .output import Output
 from .pages import indexes, interface
 from .pages.assets import assets
-from .pages.pages import LOCAL, Pages
+from .pages.pages import Pages
 from .pages.words import file_size
 from .pictures import Album, png_size, take_missing
 from .pictures.collection import Collection
@@ -184,7 +185,7 @@ def build(
 def _address_collections(catalogue: Catalogue) -> None:
     """A collection that is published nowhere else is cited by its page here, once the site has a lasting address."""
     for source in catalogue.sources:
-        if source.own and not catalogue.address.startswith(LOCAL):
+        if source.own and not on_this_machine(catalogue.address):
             source.reference.setdefault("URL", catalogue.address + source.page)
 
 

@@ -13,6 +13,7 @@ MESH_ENDINGS = tuple(ending for row in FORMATS for ending in row.extensions)
 
 DOI = re.compile(r"10\.\d{4,9}/\S+")
 _DOI_PREFIX = re.compile(r"^(?:https?://(?:dx\.)?doi\.org/|doi:\s*)", re.IGNORECASE)
+_THIS_MACHINE = re.compile(r"http://(localhost|127\.0\.0\.1)(:\d+)?(/|$)")
 
 
 def slug(text: str) -> str:
@@ -61,3 +62,12 @@ def mesh_name(path: str) -> str:
     """What to call a mesh that has only a file's path: ``hex_mesh/bunny/bunny_1.mesh`` is "bunny_1"."""
     parts = without_ending(path).split("/")
     return parts[-1] if len(parts) == 1 else " / ".join(parts)
+
+
+def on_this_machine(address: str) -> bool:
+    """Whether an address is one of the machine that asks, as that of a site which is tried before it is published.
+
+    >>> on_this_machine("http://localhost:8000/"), on_this_machine("http://localhost.org/")
+    (True, False)
+    """
+    return _THIS_MACHINE.match(address) is not None

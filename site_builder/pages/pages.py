@@ -16,6 +16,7 @@ from ..citing.citations import STYLES, citation, plain
 from ..citing.exports import bibtex
 from ..model.catalogue import Catalogue, MeshEntry, Source
 from ..model.facts import Statistics
+from ..model.names import on_this_machine
 from ..pictures.collection import Collection
 from . import interface, metadata, words
 from .assets import assets
@@ -27,8 +28,6 @@ from .picture_pages import gallery_values, guide_values
 
 FIRST = 24
 """Cards that the front page shows before anybody searches."""
-
-LOCAL = ("http://localhost", "http://127.0.0.1")
 
 
 class Pages:
@@ -73,7 +72,7 @@ class Pages:
         )
         self._environment.globals.update(
             catalogue=catalogue,
-            published=not catalogue.address.startswith(LOCAL),
+            published=not on_this_machine(catalogue.address),
             picture=lambda mesh: mesh.picture_address in pictures,
             size=lambda figure: (figures or {}).get(figure.address),
             short_verdict=words.short_verdict,

@@ -10,7 +10,7 @@ from urllib.parse import quote, unquote, urljoin
 
 from ..model.catalogue import Catalogue, MeshEntry, Problem, Reference, Source
 from ..model.facts import Facts, read_published
-from ..model.names import ending, mesh_name, slug
+from ..model.names import ending, mesh_name, on_this_machine, slug
 from .checking import matches, schema, schema_problems
 from .documents import Document, DocumentError, FieldPath, field_name, read_yaml
 
@@ -22,9 +22,6 @@ LONGEST_NAME = 200
 
 FACTS_FILE = "facts.json"
 _SLUG = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
-
-THIS_MACHINE = ("http://localhost:", "http://127.0.0.1:")
-"""Where pages may fetch from without https: what is tried on one's own machine."""
 
 
 def read_repository(root: Path) -> Catalogue:
@@ -179,7 +176,7 @@ def _mesh_problems(mesh: MeshEntry, index: int) -> Iterator[tuple[FieldPath, str
     if mesh.kind == "url":
         if not mesh.remote:
             yield here, f"{mesh.key!r} is no web address, nor is it one with base_url before it"
-        elif not mesh.remote.startswith(("https:", *THIS_MACHINE)):
+        elif not mesh.remote.startswith("https:") and not on_this_machine(mesh.remote):
             yield (
                 here,
                 f"{mesh.remote} begins with http:, from where no page may fetch a mesh; give an https: address",
