@@ -64,7 +64,9 @@ test("O1 in Firefox: a second visit without a network, keep offline, a new versi
   await page.setViewport({ width: 1280, height: 800 });
   /** @type {string[]} */
   const errors = [];
-  page.on("pageerror", (error) => errors.push(`${error.stack ?? error} at ${page.url()}`));
+  page.on("pageerror", (error) =>
+    errors.push(`${error instanceof Error ? error.stack : error} at ${page.url()}`),
+  );
   const go = (/** @type {string} */ path) => page.goto(site.root + path);
   const text = () => page.evaluate(() => document.body.innerText);
   const says = (/** @type {string} */ words) => until(async () => (await text()).includes(words), words);
