@@ -5,6 +5,7 @@ import { listenToDrops } from "./input/drop.js";
 import { listenToLaunches } from "./input/launches.js";
 import { listenToKeys } from "./input/keyboard.js";
 import { Tools } from "./input/tools.js";
+import { soon } from "./core/soon.js";
 import { Page } from "./page/page.js";
 import { BlankScene } from "./page/blank_scene.js";
 import { Scene } from "./scene/scene.js";
@@ -19,6 +20,9 @@ const tables = readTables(document);
 const store = new StatusStore(tables.defaults);
 const facts = new Facts();
 const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById("canvas"));
+/** Milliseconds that whole pictures wait for Python, at most: a later one waits for the network. */
+const PATIENCE = 4000;
+const idle = addressed ? soon(client.ready, PATIENCE).catch(() => {}) : Promise.resolve();
 const { scene, lack } = makeScene();
 const app = new App({
   store,
@@ -38,7 +42,7 @@ Object.assign(window, { hexalab: api });
 answerMessages(api);
 document.getElementById("could-not-start")?.remove();
 openWhatTheAddressNames().catch(() => {}); // said in a message by whoever failed
-if (addressed) void soon(app.opening.previewed).then(buildPage);
+if (addressed) void soon(app.opening.previewed, 100).then(buildPage);
 else buildPage();
 
 /** All that stands around the picture: a mesh's preview, where there is one at hand, is drawn before. */
@@ -51,15 +55,10 @@ function buildPage() {
   listenToLaunches(app);
 }
 
-/** That, or some milliseconds later. @param {Promise<unknown>} coming */
-function soon(coming) {
-  return Promise.race([coming, new Promise((resolve) => setTimeout(resolve, 100))]);
-}
-
 /** @returns {{ scene: import("./scene/scene_like.js").SceneLike, lack: string }} one that draws nothing where the browser lacks WebGL 2 */
 function makeScene() {
   try {
-    return { scene: new Scene(canvas, store.status.camera), lack: "" };
+    return { scene: new Scene(canvas, store.status.camera, idle), lack: "" };
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);
     return {

@@ -1,5 +1,6 @@
 import { Ahead } from "./catalogue/ahead.js";
 import { CoreClient } from "./core/client.js";
+import { soon } from "./core/soon.js";
 import { WorkerTransport } from "./core/worker_transport.js";
 
 /**
@@ -26,11 +27,6 @@ export const client = new CoreClient(
   new WorkerTransport({
     worker: new URL(/** @type {string} */ (worker), document.baseURI),
     runtime: new URL(/** @type {string} */ (runtime), document.baseURI),
-    turn: inTurn ? Promise.race([ahead.shown, later(PATIENCE)]) : null,
+    turn: inTurn ? soon(ahead.shown, PATIENCE) : null,
   }),
 );
-
-/** @param {number} milliseconds @returns {Promise<void>} */
-function later(milliseconds) {
-  return new Promise((resolve) => setTimeout(resolve, milliseconds));
-}

@@ -69,7 +69,7 @@ export class Opening {
    * @throws {Error} what could not be read, in words that were also shown
    */
   async open(origin) {
-    const { progress, messages, client } = this.#app;
+    const { progress, messages, client, scene, ahead } = this.#app;
     const turn = ++this.#turn;
     const began = performance.now();
     const task = progress.begin(`fetching ${origin.name}`);
@@ -77,8 +77,13 @@ export class Opening {
       if (turn !== this.#turn) throw new Superseded();
     };
     try {
-      const preview = this.#preview(origin, current);
-      void preview.then(() => this.#wholePictures());
+      let needless = () => {};
+      const read = /** @type {Promise<null>} */ (new Promise((done) => (needless = () => done(null))));
+      const preview = this.#preview(origin, current, read);
+      void preview.then(() => {
+        ahead.tellShown();
+        void scene.prepare(); // while the core starts
+      });
       const bytes = await origin.bytes((fraction, text) => task.report(fraction, text));
       current();
       task.report(
@@ -89,6 +94,7 @@ export class Opening {
       current();
       task.report(null, this.#reading(origin));
       const summary = await this.#ask(origin, bytes);
+      needless();
       this.#held = origin;
       if (turn !== this.#turn) this.#app.drawing.pause();
       current();
@@ -229,13 +235,22 @@ export class Opening {
     this.#app.store.set({ mesh: { name: origin.name, cells: summary.cells, sha256 } }, { undo: false });
   }
 
-  /** Show a catalogue mesh's preview while the core starts. @param {Origin} origin @param {() => void} current @returns {Promise<boolean>} */
-  async #preview(origin, current) {
+  /**
+   * Show a catalogue mesh's preview while the core starts.
+   *
+   * @param {Origin} origin
+   * @param {() => void} current
+   * @param {Promise<null>} read when the mesh itself is there: a preview that has not come by then is not waited for
+   * @returns {Promise<boolean>} whether it was shown
+   */
+  async #preview(origin, current, read) {
     const address = origin.entry?.mesh.preview;
     if (!address || this.#app.facts.get("core") === "ready") return false;
     try {
+      const bytes = await Promise.race([this.#app.ahead.preview(address), read]);
+      if (bytes === null) return false;
       const packed = /** @type {import("../state/answers.js").Preview} */ (
-        /** @type {unknown} */ (unpack(await this.#app.ahead.preview(address)))
+        /** @type {unknown} */ (unpack(bytes))
       );
       current();
       if (this.#app.facts.get("core") === "ready") return false;
@@ -248,14 +263,6 @@ export class Opening {
     } catch {
       return false; // the mesh itself is on its way
     }
-  }
-
-  /** While the core starts; after it, where both would have to be done by the processor. */
-  async #wholePictures() {
-    const { ahead, client, scene } = this.#app;
-    ahead.tellShown();
-    if (scene.software) await client.ready.catch(() => {});
-    void scene.prepare();
   }
 
   #tellPreviewed() {

@@ -9,7 +9,6 @@ export class BlankScene {
   /** @type {Record<string, number>} */
   timings = {};
   frames = 0;
-  software = false;
   hurried = false;
   outward = false;
   covered = 0;

@@ -49,6 +49,7 @@ export class Scene {
   #trackball;
   #drafts;
   #programs;
+  #idle;
   /** Whether whole pictures can be drawn without waiting for their programs: until then, drafts are. */
   #ready = false;
   /** @type {Promise<void> | null} */
@@ -63,8 +64,13 @@ export class Scene {
   /** Where it was told to stand. @type {import("./scene_like.js").Place | null} */
   #markedAt = null;
 
-  /** @param {HTMLCanvasElement} canvas @param {import("./types.js").CameraStatus} camera the first one */
-  constructor(canvas, camera) {
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {import("./types.js").CameraStatus} camera the first one
+   * @param {Promise<unknown>} [idle] when the processor is free for whole pictures, where it has to draw them itself
+   */
+  constructor(canvas, camera, idle = Promise.resolve()) {
+    this.#idle = idle;
     this.#rig = new CameraRig(camera);
     this.#painter = new Painter(canvas);
     this.#view = new View(this.#rig, this.#painter);
@@ -106,11 +112,6 @@ export class Scene {
     return this.#loop.frames;
   }
 
-  /** Whether the processor draws, for want of a GPU. */
-  get software() {
-    return isSoftware(this.#painter.gl);
-  }
-
   /** Whether surfaces are wanted fast rather than whole. */
   get hurried() {
     return this.#drafts.hurried;
@@ -138,6 +139,7 @@ export class Scene {
   }
 
   async #prepare() {
+    if (isSoftware(this.#painter.gl)) await this.#idle;
     if (!this.#painter.gl.isContextLost())
       await this.#programs.compile([...this.#layers.materials, ...this.#lighting.materials]);
     this.#ready = true;
@@ -358,6 +360,8 @@ export class Scene {
     this.timings.frame = performance.now() - started;
     this.#drafts.end();
     this.#tellMark();
+    // The first picture goes to the screen before the GPU gets more to do.
+    if (!this.#ready && this.#mesh.cells) requestAnimationFrame(() => setTimeout(() => void this.prepare()));
     if (draft || !this.#lighting.settled) return;
     this.timings.lighting = this.#lighting.elapsed;
     for (const resolve of this.#waiting.splice(0)) resolve();

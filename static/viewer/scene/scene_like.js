@@ -35,7 +35,6 @@
  * @typedef {object} SceneLike
  * @property {Record<string, number>} timings milliseconds of the last upload, picture, first and whole lighting
  * @property {number} frames pictures drawn since the scene was made
- * @property {boolean} software whether the processor draws, for want of a GPU
  * @property {boolean} hurried whether surfaces are wanted fast rather than whole
  * @property {boolean} outward whether every cell is valid at its corners: then the backs of faces need not be drawn
  * @property {<Name extends keyof SceneEvents>(name: Name, listener: (detail: SceneEvents[Name]) => void) => () => void} on
