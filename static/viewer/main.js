@@ -42,7 +42,7 @@ Object.assign(window, { hexalab: api });
 answerMessages(api);
 document.getElementById("could-not-start")?.remove();
 openWhatTheAddressNames().catch(() => {}); // said in a message by whoever failed
-if (addressed) void soon(app.opening.previewed, 100).then(buildPage);
+if (addressed) void soon(ahead.shown, 100).then(buildPage);
 else buildPage();
 
 /** All that stands around the picture: a mesh's preview, where there is one at hand, is drawn before. */

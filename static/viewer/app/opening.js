@@ -51,15 +51,9 @@ export class Opening {
   /** What the core holds: another mesh than the screen shows, from when a newer one is asked for until that is there. @type {Origin | null} */
   #held = null;
 
-  /** @type {(() => void) | null} */
-  #previewed = null;
-  /** When the first preview has been drawn; for ever pending where there is none. @type {Promise<void>} */
-  previewed;
-
   /** @param {import("./app.js").App} app */
   constructor(app) {
     this.#app = app;
-    this.previewed = new Promise((resolve) => (this.#previewed = resolve));
   }
 
   /**
@@ -256,17 +250,11 @@ export class Opening {
       if (this.#app.facts.get("core") === "ready") return false;
       this.#enter(origin, packed.summary);
       this.#app.drawing.show(packed);
-      this.#tellPreviewed();
       await this.#app.drawing.drawn();
       this.#app.note({ preview: performance.now() });
       return true;
     } catch {
       return false; // the mesh itself is on its way
     }
-  }
-
-  #tellPreviewed() {
-    this.#previewed?.();
-    this.#previewed = null;
   }
 }

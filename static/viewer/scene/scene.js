@@ -134,8 +134,7 @@ export class Scene {
 
   /** Has the GPU prepare all its programs, beside other work; whole pictures are drawn from then on. @returns {Promise<void>} */
   prepare() {
-    this.#preparing ??= this.#prepare();
-    return this.#preparing;
+    return (this.#preparing ??= this.#prepare());
   }
 
   async #prepare() {
@@ -393,11 +392,8 @@ export class Scene {
   dispose() {
     this.#loop.stopped = true;
     this.#abort.abort();
-    this.#trackball.dispose();
-    this.#layers.dispose();
-    this.#pointing.dispose();
-    this.#lighting.dispose();
-    this.#painter.dispose();
+    const parts = [this.#trackball, this.#layers, this.#pointing, this.#lighting, this.#painter];
+    for (const part of parts) part.dispose();
     this.#events.clear();
   }
 }
