@@ -1,7 +1,7 @@
 # Every target does its own set-up and redoes nothing that is up to date.
 #   make serve [PORT=8000]   build the site and serve it on this machine
 #   make test                everything: core, site, viewer, browser
-#   make lint  make build  make bench  make nightly
+#   make lint  make build  make wheel  make bench  make nightly
 
 PYTHON ?= python3
 BIN := .venv/bin
@@ -13,7 +13,7 @@ export OMP_NUM_THREADS ?= 2
 # A screen for Firefox, where there is none.
 SCREEN = $(if $(DISPLAY),,$(if $(shell command -v xvfb-run),xvfb-run -a))
 
-.PHONY: serve pages build test test-core lint bench nightly format clean
+.PHONY: serve pages build wheel test test-core lint bench nightly format clean
 .DELETE_ON_ERROR:
 
 # The pages stand at once; pictures that are missing are taken while they are served, and appear on a reload.
@@ -32,6 +32,10 @@ test: build/.prepared pages
 	node --test $$(find tests/viewer -name "*.test.js")
 	$(SCREEN) node --test tests/firefox/*.test.js
 	$(BIN)/pytest --ignore=tests/core
+
+# Wheel and sdist, with the built viewer inside: what `pip install hexalab` brings.
+wheel: .venv/.ready node_modules/.ready
+	$(BIN)/python -m site_builder.cli.wheel dist
 
 test-core: .venv/.ready
 	$(BIN)/pytest tests/core

@@ -21,6 +21,7 @@ from .output import Output
 from .pages import indexes, interface
 from .pages.assets import assets
 from .pages.pages import Pages
+from .pages.viewer_page import viewer_page
 from .pages.words import file_size
 from .pictures import Album, png_size, take_missing
 from .pictures.collection import Collection
@@ -147,7 +148,7 @@ def build(
     taken, trouble, weight = 0, "", 0
     if runtime:
         tell("the viewer and its Python", 0.35)
-        weight = _add_viewer(Pages(catalogue, set()), output)
+        weight = _add_viewer(output)
     if runtime and pictures:
         shots = [*map(thumbnails.shot, thumbnails.wanted(catalogue)), *collection.figures.values()]
         taken, trouble = take_missing(shots, out, album, lambda what, part: tell(what, 0.4 + 0.5 * part))
@@ -254,7 +255,7 @@ def _add_indexes(catalogue: Catalogue, output: Output, pages: list[str], picture
             output.write(f"{source.page}{source.slug}.{name}", writer([source.reference]))
 
 
-def _add_viewer(pages: Pages, output: Output) -> int:
+def _add_viewer(output: Output) -> int:
     """Put the viewer into the site; give the bytes that a first visit brings over the wire."""
     try:
         from .runtime import MOST, assemble, first_visit, gzipped
@@ -263,17 +264,16 @@ def _add_viewer(pages: Pages, output: Output) -> int:
     except (ImportError, RuntimeError, OSError) as error:
         message = f"the viewer can't be put together: {error}; `make build` installs what it needs"
         raise BuildError([Problem("error", "site_builder/runtime", 0, "", message)]) from error
-    from .pages.viewer_tables import viewer_tables
-
-    html = pages.viewer(
+    html = viewer_page(
+        "site",
+        root="../",
         start="../" + report.scripts["start"],
         script="../" + report.scripts["main"],
-        imports=["../" + script for script in report.imports],
+        imports=tuple("../" + script for script in report.imports),
         worker="../" + report.scripts["worker"],
         runtime="../" + report.runtime,
         style="../" + assets().styles["viewer"],
-        favicon="../icon.svg",
-        tables=viewer_tables(),
+        icon="../icon.svg",
     )
     output.write("viewer/index.html", html)
     files = first_visit(

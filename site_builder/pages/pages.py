@@ -205,10 +205,6 @@ class Pages:
             json_ld=metadata.mesh_json_ld(self._catalogue, mesh),
         )
 
-    def viewer(self, **values: Any) -> str:
-        """The viewer's page, from its own template."""
-        return self._environment.get_template("viewer.html.jinja").render(root="../", **values) + "\n"
-
     def citations(self, source: Source) -> dict[str, Markup]:
         """The source's reference in each style."""
         if source.slug not in self._citations:

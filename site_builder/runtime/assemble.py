@@ -5,14 +5,13 @@ from __future__ import annotations
 import hashlib
 import json
 import shutil
-import tomllib
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
 from .bundle import Bundle, bundle
 from .interpreter import copy_interpreter
-from .wheel import core_wheel
+from .wheel import core_wheel, distribution
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -52,8 +51,7 @@ def assemble(out: Path, cache: Path | None = None) -> RuntimeReport:
         If an interpreter file isn't the published one, or a tool fails.
     """
     cache = cache or ROOT / "build" / "cache"
-    version = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["version"]
-    wheel = core_wheel(ROOT / "core" / "hexalab", version)
+    wheel = core_wheel(distribution(ROOT, cache / "distribution"))
     modules = ROOT / "node_modules"
     pins = ROOT / "requirements-pyodide.txt"
     made_by = [*Path(__file__).parent.glob("*.*"), modules / "pyodide" / "package.json", pins]

@@ -14,6 +14,14 @@ ENTRIES = {
 }
 
 
+COMMAND = (
+    "--bundle", "--format=esm", "--target=es2022", "--minify", "--legal-comments=eof", "--external:html2canvas",
+    "--external:dompurify", "--external:canvg", "--loader:.glsl=text", "--loader:.svg=text", "--log-level=warning",
+)  # fmt: skip
+"""Options of esbuild. What is external, jsPDF would load for HTML and for SVG by another way than ours: it is never
+asked for."""
+
+
 class Bundle(TypedDict):
     """A script as the page links it, and the scripts that come with it before it runs; names of files."""
 
@@ -40,12 +48,9 @@ def bundle(root: Path, out: Path) -> dict[str, Bundle]:
     command = [
         str(root / "node_modules" / ".bin" / "esbuild"),
         *(f"{name}={root / path}" for name, path in ENTRIES.items()),
-        "--bundle", "--format=esm", "--target=es2022", "--minify", "--sourcemap=linked", "--legal-comments=eof",
-        "--splitting", "--chunk-names=[name]-[hash]", "--external:html2canvas", "--external:dompurify",
-        "--external:canvg", "--loader:.glsl=text", "--loader:.svg=text", f"--outdir={out}",
-        "--entry-names=[name]-[hash]", f"--metafile={meta}", "--log-level=warning",
+        *COMMAND, "--sourcemap=linked", "--splitting", "--chunk-names=[name]-[hash]", f"--outdir={out}",
+        "--entry-names=[name]-[hash]", f"--metafile={meta}",
     ]  # fmt: skip
-    # What is external, jsPDF would load for HTML and for SVG by another way than ours: it is never asked for.
     done = subprocess.run(command, capture_output=True, text=True, cwd=root)
     if done.returncode:
         raise RuntimeError(f"bundling the viewer failed:\n{done.stderr.strip()}")

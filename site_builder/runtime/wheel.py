@@ -1,24 +1,57 @@
-"""The core as a wheel: pure Python, the same bytes for the same sources."""
+"""The one wheel: as hatchling builds it, and what of it a browser needs."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
-from .archives import packed
+from .archives import packed, unpacked
+from .viewer_folder import write_viewer
 
-LEFT_OUT = ("cli", "hosts", "__pycache__")
-"""Folders of the core that a browser has no use for."""
+NOT_FOR_BROWSERS = (r"^hexalab/(cli|hosts|viewer)/", r"\.dist-info/(licenses/|entry_points\.txt$)")
+"""Files of the wheel that a browser's Python has no use for, as regular expressions."""
+
+VIEWER = "build/viewer"
+"""Where `core/build_hook.py` looks for the built viewer."""
 
 
-def core_wheel(package: Path, version: str) -> tuple[str, bytes]:
-    """Make the wheel of the package `hexalab`.
+def distribution(root: Path, out: Path, kind: str = "wheel") -> Path:
+    """Build the distribution, the viewer in it.
 
     Parameters
     ----------
-    package : Path
-        The folder core/hexalab.
-    version : str
-        The distribution's version.
+    root : Path
+        The checkout, with node_modules.
+    out : Path
+        Folder for the file, made if need be.
+    kind : "wheel" or "sdist"
+
+    Returns
+    -------
+    Path
+        The file; the same bytes for the same sources.
+
+    Raises
+    ------
+    RuntimeError
+        If bundling the viewer fails.
+    """
+    from hatchling.builders.sdist import SdistBuilder
+    from hatchling.builders.wheel import WheelBuilder
+
+    write_viewer(root, root / VIEWER)
+    out.mkdir(parents=True, exist_ok=True)
+    builder = {"wheel": WheelBuilder, "sdist": SdistBuilder}[kind](str(root))
+    (file,) = builder.build(directory=str(out), versions=["standard"])
+    return Path(file)
+
+
+def core_wheel(wheel: Path) -> tuple[str, bytes]:
+    """Cut the wheel down to the core.
+
+    Parameters
+    ----------
+    wheel : Path
+        As `distribution` has built it.
 
     Returns
     -------
@@ -27,16 +60,7 @@ def core_wheel(package: Path, version: str) -> tuple[str, bytes]:
     data : bytes
         Its content.
     """
-    info = f"hexalab-{version}.dist-info"
-    files = {
-        f"hexalab/{path.relative_to(package).as_posix()}": path.read_bytes()
-        for path in sorted(package.rglob("*"))
-        if path.suffix in (".py", ".json") and not set(path.relative_to(package).parts) & set(LEFT_OUT)
-    }
-    files[f"{info}/METADATA"] = (
-        f"Metadata-Version: 2.1\nName: hexalab\nVersion: {version}\nLicense: MIT\nRequires-Dist: numpy\n"
-    ).encode()
-    files[f"{info}/WHEEL"] = (
-        b"Wheel-Version: 1.0\nGenerator: hexalab\nRoot-Is-Purelib: true\nTag: py3-none-any\n"
-    )
-    return f"hexalab-{version}-py3-none-any.whl", packed(files)
+    files = unpacked(wheel.read_bytes(), NOT_FOR_BROWSERS)
+    (metadata,) = (name for name in files if name.endswith(".dist-info/METADATA"))
+    files[metadata] = files[metadata].split(b"\n\n")[0] + b"\n"  # without the README
+    return wheel.name, packed(files)

@@ -13,9 +13,9 @@ import { Facts } from "./state/facts.js";
 import { statusFromHash } from "./state/link.js";
 import { StatusStore } from "./state/store.js";
 import { readTables } from "./state/tables.js";
-import { addressed, ahead, client } from "./start.js";
+import { host } from "./start.js";
 
-const { root } = document.documentElement.dataset;
+const { client, ahead, addressed } = host;
 const tables = readTables(document);
 const store = new StatusStore(tables.defaults);
 const facts = new Facts();
@@ -31,8 +31,7 @@ const app = new App({
   scene,
   tables,
   canvas,
-  ahead,
-  root: /** @type {string} */ (root),
+  host,
 });
 app.start({ addressed: addressed !== "" });
 if (lack) app.messages.say("error", lack);

@@ -1,32 +1,12 @@
-import { Ahead } from "./catalogue/ahead.js";
-import { CoreClient } from "./core/client.js";
-import { soon } from "./core/soon.js";
-import { WorkerTransport } from "./core/worker_transport.js";
+import { server } from "./hosts/server.js";
+import { site } from "./hosts/site.js";
 
 /**
- * What is begun before the page is built, by a script of its own: the core's worker starts and the preview comes while the
- * larger script is still on its way, and keeps the page busy.
+ * What is begun before the page is built, by a script of its own: the core starts and the preview comes while the larger
+ * script is still on its way, and keeps the page busy.
  */
 
-const { worker, runtime, root } = document.documentElement.dataset;
+/** Who may show the viewer, by the word that its page has for it. @type {Record<string, () => import("./hosts/host.js").Host>} */
+const HOSTS = { site, server };
 
-/** Processor cores on which the first picture and Python get in each other's way: there one comes after the other. */
-const FEW_CORES = 2;
-
-/** Milliseconds that Python waits for the first picture, at most: a later one waits for the network. */
-const PATIENCE = 1000;
-
-/** The mesh that the page's address names: "source/mesh", an address, or nothing. */
-export const addressed = new URLSearchParams(location.search).get("mesh") ?? "";
-
-export const ahead = new Ahead(new URL(/** @type {string} */ (root), location.href).href, addressed);
-
-const inTurn = addressed !== "" && navigator.hardwareConcurrency <= FEW_CORES;
-
-export const client = new CoreClient(
-  new WorkerTransport({
-    worker: new URL(/** @type {string} */ (worker), document.baseURI),
-    runtime: new URL(/** @type {string} */ (runtime), document.baseURI),
-    turn: inTurn ? soon(ahead.shown, PATIENCE) : null,
-  }),
-);
+export const host = HOSTS[document.documentElement.dataset.host ?? "site"]();

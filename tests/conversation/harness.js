@@ -1,10 +1,19 @@
 // The page that the conversation goes through: the viewer's own client over one of its transports.
 import { CoreClient, CoreError } from "../../static/viewer/core/client.js";
+import { ServerTransport } from "../../static/viewer/core/server_transport.js";
 import { WorkerTransport } from "../../static/viewer/core/worker_transport.js";
 
-/** @type {Record<string, (place: { worker: string, runtime: string }) => import("../../static/viewer/core/client.js").Transport>} */
+/** What a core told without having been asked. @type {unknown[]} */
+const news = [];
+
+/** @type {Record<string, (place: Record<string, string>) => import("../../static/viewer/core/client.js").Transport>} */
 const TRANSPORTS = {
   worker: ({ worker, runtime }) => new WorkerTransport({ worker, runtime }),
+  server: ({ root, token }) =>
+    new ServerTransport(root, token, {
+      hello: (hello) => news.push({ hello }),
+      news: (one) => news.push(one),
+    }),
 };
 
 /** Any method may be tried here. @type {Omit<CoreClient, "call"> & { call: (method: string, args: unknown[]) => Promise<unknown> }} */
@@ -29,11 +38,15 @@ const isFile = (one) => typeof one === "object" && one !== null && "base64" in o
 const blockOf = (base64) => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)).buffer;
 
 Object.assign(window, {
-  /** @param {string} way @param {{ worker: string, runtime: string }} place */
+  /** @param {string} way @param {Record<string, string>} place */
   begin: async (way, place) => {
     client = /** @type {any} */ (new CoreClient(TRANSPORTS[way](place)));
+    client.addEventListener("identified", (event) =>
+      news.push({ identified: /** @type {CustomEvent} */ (event).detail.sha256 }),
+    );
     await client.ready;
   },
+  news: () => news,
   /** @param {string} method @param {unknown[]} args a file's bytes as {base64} */
   ask: async (method, args) => {
     try {

@@ -16,16 +16,17 @@ from benchmarks.page import SITE, serve
 from hexalab.quality import METRICS
 from hexalab.quality.sizes import NEEDS as SIZED
 from hexalab.session.door import METHODS
-from tests.conversation.ways import WAYS, Ask, Refused
+from tests.conversation.ways import OFFERED, WAYS, Ask, Refused
 
 pytestmark = pytest.mark.browser
 ROOT = Path(__file__).parents[2]
 
 
 @pytest.fixture(scope="module")
-def shelf(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder under /bench/ of the served site, with the harness in it."""
+def shelf(tmp_path_factory: pytest.TempPathFactory, attributed: bytes) -> Path:
+    """A folder under /bench/ of the served site, with the harness in it, and a mesh."""
     folder = tmp_path_factory.mktemp("conversation")
+    (folder / OFFERED).write_bytes(attributed)
     command = [ROOT / "node_modules/.bin/esbuild", Path(__file__).with_name("harness.js"), "--bundle"]
     subprocess.run(
         [*map(str, command), f"--outfile={folder / 'conversation.js'}"], check=True, capture_output=True
@@ -62,6 +63,9 @@ def test_A1_a_whole_conversation(ask: Ask, said: set[str], attributed: bytes, tw
         say("update")
     assert refused.value.kind == "HexaLabError"
     assert say("check", {"silhouette": 0.5, "nonsense": 1})["rejections"][0]["path"] == "nonsense"
+
+    with pytest.raises(Refused, match="nothing is offered by the name of 'none'"):
+        say("open_offered", "none")
 
     summary = say("open", "grid.vtk", attributed)
     assert (summary["name"], summary["vertices"], summary["cells"]) == ("grid.vtk", 24, 6)
@@ -150,6 +154,28 @@ def test_A5_nothing_else_can_be_asked(ask: Ask, method: str) -> None:
         ask(method)
 
 
+def test_A5_what_is_at_hand_is_opened_without_its_bytes(ask: Ask, shelf: Path) -> None:
+    if not ask.offers:
+        pytest.skip("a browser's own core has nothing at hand")
+    file = shelf / OFFERED
+    before = file.read_bytes()
+    summary = ask("open_offered", OFFERED)
+    assert (summary["name"], summary["cells"]) == (OFFERED, 6)
+    assert ask("update")["shown_faces"] == 22
+    file.write_bytes(b"# vtk DataFile Version 3.0\n")
+    try:
+        with pytest.raises(Refused, match=r"offered\.vtk") as refused:
+            ask("open_offered", OFFERED)
+        assert refused.value.kind == "MeshReadError"
+        assert ask("update")["shown_cells"] == 6, "the mesh that was open stays open"
+        file.unlink()
+        with pytest.raises(Refused, match="No such file") as refused:
+            ask("open_offered", OFFERED)
+    finally:
+        file.write_bytes(before)
+    assert ask("open_offered", OFFERED)["cells"] == 6
+
+
 def test_O5_arguments_that_are_none_are_told(ask: Ask) -> None:
     with pytest.raises(Refused):
         ask("inspect")
@@ -165,7 +191,7 @@ def test_P2_many_picked_cells_pass_through(ask: Ask, grid: Callable[..., bytes])
 
 
 def test_O5_a_core_that_was_started_anew_answers(ask: Ask, attributed: bytes) -> None:
-    page = getattr(ask, "page", None)
+    page = ask.page
     if page is None:
         pytest.skip("this way has no core of its own to lose")
     page.evaluate("() => again()")

@@ -9,6 +9,7 @@ import base64
 import json
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, contextmanager
+from dataclasses import dataclass
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
@@ -16,11 +17,25 @@ from typing import Any
 import numpy as np
 from playwright.sync_api import Browser, Page
 
+from hexalab.hosts.loopback import Loopback
+from hexalab.hosts.offers import FileOffer
 from hexalab.packing import unpack
+from hexalab.session import Session
 from hexalab.session.door import Door
 
 Answer = Any
-Ask = Callable[..., Answer]
+
+
+@dataclass(frozen=True)
+class Ask:
+    """How one way is asked; its page, if it has one; whether it has a mesh at hand."""
+
+    put: Callable[..., Answer]
+    page: Page | None = None
+    offers: bool = True
+
+    def __call__(self, method: str, *args: Any) -> Answer:
+        return self.put(method, *args)
 
 
 class Refused(Exception):
@@ -34,43 +49,72 @@ class Refused(Exception):
 @contextmanager
 def native(chromium: Browser, site: str, shelf: Path) -> Iterator[Ask]:
     """Straight through the door of this Python: what the other ways are held against."""
-    del chromium, site, shelf
-    door = Door()
+    del chromium, site
+    door = Door(Session({OFFERED: FileOffer(shelf / OFFERED, OFFERED).mesh}))
 
     def ask(method: str, *args: Any) -> Answer:
         blocks = [one for one in args if isinstance(one, bytes)]
         given = [{"$bytes": blocks.index(one)} if isinstance(one, bytes) else one for one in args]
         return _result(unpack(door.answer(method, json.dumps(given), blocks).joined()))
 
-    yield ask
+    yield Ask(ask)
 
 
 @contextmanager
 def worker(chromium: Browser, site: str, shelf: Path) -> Iterator[Ask]:
-    """The static site's: the client, a worker, Pyodide."""
+    """The static site's: the client, a worker, Pyodide; nothing is at hand there."""
+    (shelf / "conversation.html").write_text(HTML)
+    with _page(chromium, f"{site}/bench/conversation.html") as page:
+        page.evaluate("place => begin('worker', place)", _places(page, site))
+        yield Ask(_asking(page), page, offers=False)
+
+
+@contextmanager
+def server(chromium: Browser, site: str, shelf: Path) -> Iterator[Ask]:
+    """That of `hexalab view`: the client, a server on the loopback, the native core."""
+    del site
+    with Loopback({OFFERED: FileOffer(shelf / OFFERED, OFFERED)}) as running:
+        running.files["/conversation.html"] = HTML.encode()
+        running.files["/conversation.js"] = (shelf / "conversation.js").read_bytes()
+        running.start()
+        root = f"http://127.0.0.1:{running.port}/"
+        with _page(chromium, f"{root}conversation.html") as page:
+            page.evaluate("place => begin('server', place)", {"root": root, "token": running.token})
+            yield Ask(_asking(page), page)
+        running.shutdown()
+
+
+WAYS: dict[str, Callable[[Browser, str, Path], AbstractContextManager[Ask]]] = {
+    "native": native,
+    "worker": worker,
+    "server": server,
+}
+
+OFFERED = "offered.vtk"
+"""A file on the shelf that every way but the worker has at hand."""
+
+HTML = "<!doctype html><script src=conversation.js></script>"
+
+
+@contextmanager
+def _page(chromium: Browser, address: str) -> Iterator[Page]:
     page = chromium.new_page()
     errors: list[str] = []
     page.on("pageerror", lambda error: errors.append(str(error)))
-    (shelf / "conversation.html").write_text("<!doctype html><script src=conversation.js></script>")
-    page.goto(f"{site}/bench/conversation.html")
-    page.evaluate("place => begin('worker', place)", _places(page, site))
+    page.goto(address)
+    yield page
+    page.close()
+    assert not errors
 
+
+def _asking(page: Page) -> Callable[..., Answer]:
     def ask(method: str, *args: Any) -> Answer:
         given = [
             {"base64": base64.b64encode(one).decode()} if isinstance(one, bytes) else one for one in args
         ]
         return _result(_arrays(page.evaluate("([method, args]) => ask(method, args)", [method, given])))
 
-    ask.page = page  # type: ignore[attr-defined]
-    yield ask
-    page.close()
-    assert not errors
-
-
-WAYS: dict[str, Callable[[Browser, str, Path], AbstractContextManager[Ask]]] = {
-    "native": native,
-    "worker": worker,
-}
+    return ask
 
 
 class _Html(HTMLParser):

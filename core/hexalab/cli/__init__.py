@@ -30,14 +30,17 @@ class Verb(NamedTuple):
     remedy: str = ""
 
 
-CLONE = "this verb works in a clone of the repository: run `make build` there, or `pip install -e .`"
-BROWSER = "pictures need a browser: `pip install playwright`, then `playwright install chromium`"
+CLONE = "this verb works in a clone of the repository: `pip install -e '.[site]'` there"
+RENDER = (
+    "`pip install 'hexalab[render]'` brings it; pictures need a Chromium, too: `playwright install chromium`"
+)
 
 VERBS = {
     "info": Verb("say what is in mesh files", "hexalab.cli.info"),
     "quality": Verb("measure the quality of a mesh's cells", "hexalab.cli.quality"),
     "convert": Verb("write a mesh in another format", "hexalab.cli.convert"),
-    "render": Verb("make a picture of a mesh", "hexalab.cli.render", BROWSER),
+    "view": Verb("open the viewer on files of this machine", "hexalab.cli.view"),
+    "render": Verb("make a picture of a mesh", "hexalab.cli.render", RENDER),
     "serve": Verb("serve a built site on this machine", "hexalab.cli.serve"),
     "build": Verb("build the site out of the repository", "site_builder.cli.build", CLONE),
     "validate": Verb(
@@ -128,8 +131,8 @@ def module_of(verb: str) -> ModuleType:
 
 def missing(verb: str, error: ModuleNotFoundError) -> Exception:
     """Say which package a verb lacks, and what to do; the error itself where a remedy is not known."""
-    remedy = VERBS[verb].remedy
-    return HexaLabError(f"{verb}: the package {error.name} is not installed; {remedy}") if remedy else error
+    remedy, package = VERBS[verb].remedy, (error.name or "").split(".")[0]
+    return HexaLabError(f"{verb}: the package {package} is not installed; {remedy}") if remedy else error
 
 
 def complain(error: Exception, prefix: str = "hexalab") -> int:

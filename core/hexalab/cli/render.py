@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from argparse import ArgumentParser, ArgumentTypeError, Namespace
 from pathlib import Path
-from typing import Any
 
 from .. import HexaLabError, read
-from ..png_text import SIGNATURE, read_settings
+from . import settings
 
 LARGEST_SIDE = 8192
 
@@ -36,7 +34,7 @@ def configure(parser: ArgumentParser) -> None:
         "--status",
         type=Path,
         metavar="JSON",
-        help="settings, whole or in part; or a picture that carries them; the original HexaLab's, too",
+        help=settings.HELP,
     )
     parser.add_argument(
         "--figure",
@@ -69,7 +67,7 @@ def run(arguments: Namespace) -> int:
         raise HexaLabError("--transparent: a figure has a setting for that, figure.transparent")
     if figure and bool(arguments.width) != bool(arguments.height):
         raise HexaLabError("--width, --height: of a figure give both, or none")
-    status = read_status(arguments.status) if arguments.status else None
+    status = settings.read_status(arguments.status) if arguments.status else None
     read(arguments.file)  # what can't be read is told before a browser is started
     name, data = arguments.file.name, arguments.file.read_bytes()
     size = {"width": arguments.width, "height": arguments.height}
@@ -86,19 +84,3 @@ def run(arguments: Namespace) -> int:
     pixels = "" if figure else f"{size['width']} x {size['height']} pixels, "
     print(f"{out}: {pixels}{len(picture.data):,} bytes")
     return 0
-
-
-def read_status(path: Path) -> Any:
-    """Read settings from a JSON file or out of a picture."""
-    data = path.read_bytes()
-    try:
-        if data.startswith(SIGNATURE):
-            return read_settings(data)
-        document = json.loads(data)
-    except HexaLabError as error:
-        raise HexaLabError(f"{path}: {error}") from None
-    except (ValueError, RecursionError) as error:
-        raise HexaLabError(f"{path}: the settings are not JSON: {error}") from None
-    if not isinstance(document, dict):
-        raise HexaLabError(f"{path}: found no settings, expected a JSON object")
-    return document

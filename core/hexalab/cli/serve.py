@@ -2,27 +2,16 @@
 
 from __future__ import annotations
 
-from argparse import ArgumentParser, ArgumentTypeError, Namespace
+from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from ..errors import HexaLabError
 from ..hosts.serving import serve
-
-LARGEST_PORT = 65535
-
-
-def port_number(text: str) -> int:
-    """Check a port's number."""
-    if text.isascii() and text.isdigit() and int(text) <= LARGEST_PORT:
-        return int(text)
-    raise ArgumentTypeError(f"found {text!r}, expected a port from 0 to {LARGEST_PORT}")
+from .ports import add_port, taken
 
 
 def configure(parser: ArgumentParser) -> None:
     """Declare the verb's arguments."""
-    parser.add_argument(
-        "--port", type=port_number, default=0, metavar="N", help="the port; any free one by default"
-    )
+    add_port(parser)
     parser.add_argument(
         "--out",
         type=Path,
@@ -40,5 +29,5 @@ def run(arguments: Namespace) -> int:
     except OSError as error:
         if isinstance(error, FileNotFoundError):
             raise
-        raise HexaLabError(f"port {arguments.port} can't be used: {error.strerror}") from None
+        raise taken(arguments.port, error) from None
     return 0

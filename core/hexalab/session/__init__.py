@@ -11,6 +11,7 @@ opened, which starts with their defaults.
 from __future__ import annotations
 
 import gc
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from time import perf_counter
 from typing import Any
@@ -36,9 +37,16 @@ Result = dict[str, Any]
 SETTINGS = documents.core_part(documents.DEFAULTS)
 """The settings that a mesh is first drawn under."""
 
+Offers = Mapping[str, Callable[[], Mesh]]
+"""Meshes that whoever holds the session has at hand, by names of theirs; each `prepared`, when it is asked for."""
 
-def measurable(mesh: Mesh) -> Mesh:
-    """The mesh; where its coordinates are too large or too small for products, in another unit, which a note names."""
+
+def prepared(mesh: Mesh) -> Mesh:
+    """Make a mesh ready to be opened: turned round where all its cells are inverted, and in a unit within reach.
+
+    Where its coordinates are too large or too small for products, they are told in another unit, which a note names.
+    """
+    mesh = turn_round(mesh)
     near, exponent = mesh.within_reach
     if not exponent:
         return mesh
@@ -50,12 +58,18 @@ def measurable(mesh: Mesh) -> Mesh:
 class Session:
     """One open mesh, and the settings that it is drawn under.
 
+    Parameters
+    ----------
+    offers : mapping of str to callable, optional
+        Meshes that can be opened without their bytes being sent.
+
     >>> session = Session()
     >>> summary = session.open("cube.mesh", data)                                    # doctest: +SKIP
     >>> session.update({"filters": {"peel": {"depth": 1}}})["shown_cells"]           # doctest: +SKIP
     """
 
-    def __init__(self) -> None:
+    def __init__(self, offers: Offers | None = None) -> None:
+        self._offers: Offers = offers or {}
         self._settings: Result = SETTINGS
         self._opened: Opened | None = None
         self._picture: Picture | None = None
@@ -84,7 +98,31 @@ class Session:
         began = perf_counter()
         mesh = read_bytes(data, name, companions)
         read = perf_counter()
-        mesh = measurable(turn_round(mesh))
+        return self._begin(prepared(mesh), began, read)
+
+    def open_offered(self, name: str) -> Result:
+        """Open a mesh that whoever holds the session offers; as `open`.
+
+        Parameters
+        ----------
+        name : str
+            One of the session's offers.
+
+        Raises
+        ------
+        MeshReadError
+            If it is a file that can't be read, or is not there; the mesh that was open stays open.
+        HexaLabError
+            If nothing is offered by that name.
+        """
+        if name not in self._offers:
+            raise HexaLabError(f"nothing is offered by the name of {name!r}")
+        began = perf_counter()
+        mesh = self._offers[name]()
+        return self._begin(mesh, began, perf_counter())
+
+    def _begin(self, mesh: Mesh, began: float, read: float) -> Result:
+        """Make a mesh the open one; the summary tells how long it took since `began`, and reading until `read`."""
         faces = mesh.topology.boundary_face_count
         topology = perf_counter()
         opened = Opened(mesh)

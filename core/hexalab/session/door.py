@@ -20,6 +20,7 @@ from . import Session
 
 METHODS = (
     "open",
+    "open_offered",
     "describe",
     "check",
     "update",

@@ -10,6 +10,7 @@ import { Files, foundOf } from "./files.js";
 import { Keeping } from "./keeping.js";
 import { LastFiles } from "./last_files.js";
 import { NewVersion } from "./new_version.js";
+import { Offered } from "./offered.js";
 import { Opening } from "./opening.js";
 import { rememberPreferences } from "./preferences.js";
 import { Progress } from "./progress.js";
@@ -25,7 +26,7 @@ import { counted } from "../state/numbers.js";
  * The application: holds status, facts, core and scene together. Panels, keys and scripts call its actions; settings
  * go through the store.
  *
- *     const app = new App({ store, facts, client, scene, tables, canvas, root: "../" });
+ *     const app = new App({ store, facts, client, scene, tables, canvas, host });
  *     app.start();
  *     await app.openFiles([file]);
  *
@@ -36,8 +37,7 @@ import { counted } from "../state/numbers.js";
  * @property {import("../scene/scene_like.js").SceneLike} scene
  * @property {import("../state/tables.js").Tables} tables
  * @property {HTMLCanvasElement} canvas
- * @property {import("../catalogue/ahead.js").Ahead} ahead
- * @property {string} root address of the site's root, as the page has it
+ * @property {Omit<import("../hosts/host.js").Host, "client" | "addressed">} host
  *
  * @typedef {import("../state/facts.js").MeshSummary} MeshSummary
  * @typedef {import("../widgets/bind.js").Actions} Actions
@@ -49,15 +49,15 @@ export class App {
   catalogue = Promise.resolve(null);
 
   /** @param {Parts} parts */
-  constructor({ store, facts, client, scene, tables, canvas, ahead, root }) {
+  constructor({ store, facts, client, scene, tables, canvas, host }) {
     this.store = store;
     this.facts = facts;
     this.client = client;
     this.scene = scene;
     this.tables = tables;
     this.canvas = canvas;
-    this.ahead = ahead;
-    this.root = root;
+    this.host = host;
+    this.ahead = host.ahead;
     this.messages = new Messages(facts);
     this.progress = new Progress(facts);
     this.drawing = new Drawing(this);
@@ -75,6 +75,7 @@ export class App {
     this.batch = new Batch(this);
     this.keeping = new Keeping(this);
     this.newVersion = new NewVersion(this);
+    this.offered = host.offers && new Offered(this, host.offers);
   }
 
   /**
@@ -108,7 +109,7 @@ export class App {
       .finally(() => {
         starting.end();
         watch.end();
-        void this.newVersion.start();
+        if (this.host.keeps) void this.newVersion.start();
       });
     client.addEventListener("identified", (event) => {
       const { sha256, bytes } = /** @type {CustomEvent<{ sha256: string, bytes?: ArrayBuffer }>} */ (event)
@@ -143,7 +144,8 @@ export class App {
     this.catalogue = this.#fetchCatalogue();
     rememberPreferences(facts);
     this.steps.start();
-    void this.lastFiles.start();
+    if (this.host.keeps) void this.lastFiles.start();
+    this.offered?.start();
     if (!addressed) void scene.prepare();
   }
 
@@ -188,7 +190,7 @@ export class App {
     const summary = await this.files.open(found);
     if (!summary) return null;
     this.steps.add(null, () => this.files.open(found));
-    void this.lastFiles.keep(found);
+    if (this.host.keeps) void this.lastFiles.keep(found);
     return summary;
   }
 

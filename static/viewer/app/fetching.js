@@ -19,7 +19,7 @@ export class Fetching {
   /** @param {import("./app.js").App} app */
   constructor(app) {
     this.#app = app;
-    this.#shelf = new Shelf(new URL(app.root, location.href));
+    this.#shelf = new Shelf(new URL(app.host.root, document.baseURI));
   }
 
   /** @param {string} address a whole one @param {string} [sha256] of the file, where it is known @returns {Origin} */
@@ -28,7 +28,7 @@ export class Fetching {
     return { name, address, bytes: (report) => this.#bytes(address, { name, sha256 }, report) };
   }
 
-  /** @param {string} address @param {Known} known @param {Parameters<Origin["bytes"]>[0]} report */
+  /** @param {string} address @param {Known} known @param {import("./opening.js").Report} report */
   async #bytes(address, known, report) {
     const found = await this.#shelf.find(address);
     if (found && known.sha256 && found.row.sha256 === known.sha256) {

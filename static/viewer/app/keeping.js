@@ -19,7 +19,7 @@ export class Keeping {
   /** @param {import("./app.js").App} app */
   constructor(app) {
     this.#app = app;
-    this.#root = new URL(app.root, location.href);
+    this.#root = new URL(app.host.root, document.baseURI);
     this.#keeper = new Keeper(this.#root);
     this.#shelf = new Shelf(this.#root);
     app.facts.on("address", () => void this.#look());
@@ -90,7 +90,7 @@ export class Keeping {
     const { facts } = this.#app;
     const address = facts.get("address");
     const entry = facts.get("entry");
-    if (!/^https?:/.test(address)) return null;
+    if (!this.#app.host.keeps || !/^https?:/.test(address)) return null;
     if (entry) return parcelOf(entry.source, entry.mesh.slug, this.#root.href);
     return { meshes: [{ name: nameIn(address), address, bytes: null, sha256: "" }], pages: [], previews: [] };
   }

@@ -12,7 +12,7 @@ export class NewVersion {
   /** @param {import("./app.js").App} app */
   constructor(app) {
     this.#app = app;
-    this.#registration = new Registration(new URL(app.root, location.href));
+    this.#registration = new Registration(new URL(app.host.root, document.baseURI));
     this.#registration.addEventListener("update", () => this.#offer());
     this.#registration.addEventListener("taken", () => (this.#taking ? location.reload() : this.#tell()));
   }

@@ -5,12 +5,16 @@ import { count, counted } from "../state/numbers.js";
 import { openingSettings, ownView } from "../state/opening_view.js";
 
 /**
- * Where a mesh comes from. `bytes` may be called again, when the core had to be restarted.
+ * Where a mesh comes from: `bytes`, which may be called again when the core had to be restarted, or what the core has at hand.
+ *
+ * @typedef {(fraction: number | null, text?: string) => void} Report
  *
  * @typedef {object} Origin
  * @property {string} name
  * @property {string} [address] that it is fetched from
- * @property {(report: (fraction: number | null, text?: string) => void) => Promise<ArrayBuffer>} bytes
+ * @property {(report: Report) => Promise<ArrayBuffer>} [bytes]
+ * @property {string} [offered] what the core has it at hand by
+ * @property {boolean} [renewed] whether it is the mesh on the screen, as it is now: all settings stay
  * @property {() => Promise<Record<string, ArrayBuffer>>} [companions] files that it refers to, by their paths
  * @property {Blob} [kept] what was read, so that it can be read again though the file has changed
  * @property {import("../state/entry.js").Entry | null} [entry] of the catalogue
@@ -37,6 +41,11 @@ export async function bytesOf(file) {
     const reason = "it was changed, moved or deleted on the disk since it was chosen: choose it again";
     throw new Error(`${file.name ?? "the file"} can't be read any more: ${reason}`, { cause });
   }
+}
+
+/** @param {Origin} origin @param {Report} [report] @returns {Promise<ArrayBuffer | null>} null for what the core has at hand */
+async function bytesIn({ bytes }, report = () => {}) {
+  return bytes ? bytes(report) : null;
 }
 
 /**
@@ -78,7 +87,7 @@ export class Opening {
         ahead.tellShown();
         void scene.prepare(); // while the core starts
       });
-      const bytes = await origin.bytes((fraction, text) => task.report(fraction, text));
+      const bytes = await bytesIn(origin, (fraction, text) => task.report(fraction, text));
       current();
       task.report(
         null,
@@ -116,8 +125,8 @@ export class Opening {
     const changed = new Set(touched);
     return async () => {
       if (!origin || origin === this.#current) return this.#app.documents.replaceBy([status]);
-      const bytes = () => origin.kept?.arrayBuffer() ?? origin.bytes(() => {});
-      await this.open({ ...origin, bytes, status: undefined, layers: [status] });
+      const again = origin.kept ? { bytes: () => /** @type {Blob} */ (origin.kept).arrayBuffer() } : {};
+      await this.open({ ...origin, ...again, status: undefined, layers: [status] });
       this.#app.store.touch(changed);
     };
   }
@@ -126,26 +135,25 @@ export class Opening {
   async reopen() {
     if (!this.#current) return;
     const { drawing, measures } = this.#app;
-    await this.#ask(
-      this.#current,
-      await (this.#current.kept?.arrayBuffer() ?? this.#current.bytes(() => {})),
-    );
+    await this.#ask(this.#current, await (this.#current.kept?.arrayBuffer() ?? bytesIn(this.#current)));
     this.#held = this.#current;
     drawing.begin();
     await drawing.update();
     measures.fill();
   }
 
-  /** @param {Origin} origin @param {ArrayBuffer} bytes @returns {Promise<Summary>} */
+  /** Open what is on the screen as its file is now, under all its settings. @returns {Promise<Summary | null>} null where nothing is open */
+  async renew() {
+    return this.#current && this.open({ ...this.#current, status: undefined, renewed: true });
+  }
+
+  /** @param {Origin} origin @param {ArrayBuffer | null} bytes @returns {Promise<Summary>} */
   async #ask(origin, bytes) {
+    const { client } = this.#app;
+    const replace = { replace: "open" };
+    if (bytes === null) return client.call("open_offered", [/** @type {string} */ (origin.offered)], replace);
     const companions = await origin.companions?.();
-    return this.#app.client.call(
-      "open",
-      companions ? [origin.name, bytes, companions] : [origin.name, bytes],
-      {
-        replace: "open",
-      },
-    );
+    return client.call("open", companions ? [origin.name, bytes, companions] : [origin.name, bytes], replace);
   }
 
   /** Keep what the core has read, so that the mesh can be opened again when the core had to be restarted. @param {ArrayBuffer} bytes */
@@ -181,16 +189,19 @@ export class Opening {
     const { facts, store, scene, drawing } = this.#app;
     const entry = origin.entry ?? null;
     const before = facts.get("summary");
+    const { status, touched } = store;
+    const changed = new Set(touched);
     const { settings, kept } = openingSettings(ownView(store.defaults, summary.view, entry?.mesh.view), {
-      status: store.status,
-      touched: store.touched,
-      keeping: before ? facts.get("keeping") : "changed",
+      status,
+      touched: origin.renewed ? new Set(Object.keys(status)) : touched,
+      keeping: origin.renewed ? "always" : before ? facts.get("keeping") : "changed",
       alike: before?.cells === summary.cells,
       has: (quantity) => Boolean(summary.attributes?.some((one) => one.id === quantity)),
     });
     drawing.pause();
     store.set(settings, { undo: false });
     store.forget();
+    if (origin.renewed) store.touch(changed);
     scene.setMesh(summary);
     facts.set({
       ...NEW_MESH,
@@ -198,8 +209,9 @@ export class Opening {
       entry,
       source: entry?.source ?? null,
       address: origin.address ?? "",
+      offered: origin.offered ?? null,
     });
-    this.#tellView(summary, kept && before !== null);
+    this.#tellView(summary, kept && before !== null && !origin.renewed);
   }
 
   /** Say where one looks, if it is not where one would think. @param {MeshSummary} summary @param {boolean} kept */

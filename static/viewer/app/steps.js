@@ -19,6 +19,7 @@ export class Steps {
 
   /** Begin to listen to the browser's buttons. */
   start() {
+    if (!this.#app.host.steps) return;
     window.addEventListener("popstate", ({ state }) => {
       if (typeof state?.step === "number") void this.#go(state.step);
     });
@@ -37,7 +38,7 @@ export class Steps {
    * @param {() => Promise<unknown>} again opens it once more
    */
   add(mesh, again) {
-    if (this.#going) return;
+    if (this.#going || !this.#app.host.steps) return;
     const address = new URL(location.href);
     const present = new URLSearchParams(address.search).get("mesh");
     const first = this.#at < 0;

@@ -39,6 +39,9 @@ import { question } from "./question.js";
 /** So often the core may die in a row before it is left alone. */
 const MOST_DEATHS = 3;
 
+/** Methods by which the mesh becomes another. */
+const OPENING = ["open", "open_offered"];
+
 /** A newer call with the same key came before this one was sent. */
 export class Superseded extends Error {
   name = "Superseded";
@@ -209,7 +212,7 @@ export class CoreClient extends EventTarget {
     const { error, result } = unpack(packed);
     if (error) call.reject(new CoreError(/** @type {Failure} */ (error)));
     else {
-      if (call.method === "open") this.#opened = id;
+      if (OPENING.includes(call.method)) this.#opened = id;
       call.resolve(result);
     }
     this.#next();

@@ -4,6 +4,7 @@
  *
  * @typedef {object} Methods
  * @property {{ args: [name: string, data: ArrayBuffer, companions?: Record<string, ArrayBuffer>], answer: Summary }} open
+ * @property {{ args: [name: string], answer: Summary }} open_offered
  * @property {{ args: [part?: string], answer: Partial<Description> }} describe
  * @property {{ args: [document: unknown], answer: Checked }} check
  * @property {{ args: [changed?: PartialStatus, lean?: boolean, whole?: boolean], answer: Update }} update

@@ -41,14 +41,14 @@ export function helpDialog(context) {
   return dialog("help", "Keys", [
     mouse,
     h("div", { class: "key-sheets" }, ...sheets),
-    h("p", { class: "quiet" }, `HexaLab ${tables.version}. `, offline(context)),
+    h("p", { class: "quiet" }, `HexaLab ${tables.version}. `, context.app.host.keeps ? offline(context) : ""),
   ]);
 }
 
 /** Whether the viewer is there without a network. @param {import("../widgets/bind.js").Context} context */
 function offline(context) {
   const words = h("span");
-  const address = new URL("offline/index.html", new URL(context.app.root, location.href)).href;
+  const address = new URL("offline/index.html", new URL(context.app.host.root, document.baseURI)).href;
   watch(context, { facts: ["lack"] }, () => {
     const lack = context.facts.get("lack");
     words.textContent = lack

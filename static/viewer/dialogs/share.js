@@ -12,6 +12,7 @@ export function shareDialog({ app, facts }) {
     "The mesh is a file of yours: the link carries the view, and whoever opens it has to add the mesh.",
   );
   const settings = copyField("Settings", true);
+  for (const field of [link, frame]) field.element.hidden = !app.host.shares;
   const edit = () => {
     element.close();
     /** @type {HTMLDialogElement} */ (document.getElementById("status-editor")).showModal();
@@ -38,9 +39,11 @@ export function shareDialog({ app, facts }) {
     "Share",
     [link.element, frame.element, local, settings.element, actions],
     async () => {
-      local.hidden = !facts.get("summary") || new URLSearchParams(location.search).has("mesh");
+      local.hidden =
+        !app.host.shares || !facts.get("summary") || new URLSearchParams(location.search).has("mesh");
       settings.show(app.documents.text());
       for (const field of [link, frame]) field.show(""); // never that of another view
+      if (!app.host.shares) return;
       const address = await app.saving.link();
       link.show(address);
       frame.show(`<iframe src="${address}" width="960" height="640" title="HexaLab"></iframe>`);

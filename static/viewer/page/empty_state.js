@@ -13,7 +13,10 @@ export function emptyState(context) {
     },
     "Open a mesh",
   );
-  const catalogue = h("a", { href: context.app.root, class: "link" }, "choose one from the catalogue");
+  const { root } = context.app.host;
+  const catalogue = root
+    ? [" or ", h("a", { href: root, class: "link" }, "choose one from the catalogue")]
+    : [];
   const again = h(
     "button",
     {
@@ -28,7 +31,7 @@ export function emptyState(context) {
     "div",
     { class: "empty" },
     h("p", { class: "empty-title" }, "Drop a hexahedral mesh anywhere"),
-    h("p", {}, open, " or ", catalogue),
+    h("p", {}, open, ...catalogue),
     last,
     h("p", { class: "empty-formats" }, formats),
   );

@@ -21,7 +21,7 @@ export function keeping(context) {
   const button = h("button", { type: "button", class: "link", onclick: () => app.keeping.toggle() });
   const all = h(
     "a",
-    { href: new URL("offline/index.html", new URL(app.root, location.href)).href, target: "_blank" },
+    { href: new URL("offline/index.html", new URL(app.host.root, document.baseURI)).href, target: "_blank" },
     "All that is kept",
   );
   const words = h("span", { class: "quiet", role: "status" });

@@ -5,6 +5,7 @@ import { watch } from "../widgets/bind.js";
 import { findings } from "./findings.js";
 import { firstFacts } from "./first_facts.js";
 import { keeping } from "./keeping.js";
+import { offersChooser } from "./offers.js";
 import { partList } from "./parts.js";
 import { catalogueChooser } from "./catalogue.js";
 
@@ -23,6 +24,7 @@ export const mesh = {
   },
   controls: [
     { kind: "custom", render: catalogueChooser },
+    { kind: "custom", render: offersChooser },
     { kind: "custom", render: keeping },
     { kind: "custom", render: headline },
     { kind: "custom", render: firstFacts },

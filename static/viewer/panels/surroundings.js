@@ -146,6 +146,7 @@ export const surroundings = {
     {
       kind: "toggle",
       id: "remember",
+      hidden: ({ app }) => !app.host.keeps,
       label: "Last file",
       hint: "Keep the file that was opened last in this browser, to open it again after a reload",
       facts: ["remember"],

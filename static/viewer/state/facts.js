@@ -30,6 +30,8 @@
  * @property {import("./entry.js").CatalogueSource | null} source chosen from the catalogue
  * @property {import("./entry.js").Entry | null} entry of the open mesh
  * @property {string} address that the open mesh was fetched from; empty for a file
+ * @property {readonly { id: string, name: string }[]} offers meshes that the core has at hand
+ * @property {string | null} offered the open mesh, if it is one of these
  * @property {"kept" | "free" | "coming" | null} offline whether this browser keeps the open mesh until it is freed; null where it can't
  * @property {MeshSummary | null} summary of the open mesh, null while there is none
  * @property {Partial<import("./answers.js").Description> | null} description
@@ -57,11 +59,12 @@
 
 /** What is known of a mesh before anything is, and the tool at hand: another mesh starts with these. */
 export const NEW_MESH = Object.freeze(
-  /** @type {Pick<FactTable, "tool" | "source" | "entry" | "address" | "summary" | "description" | "statistics" | "histogram" | "worst" | "irregular" | "shown" | "colour" | "layers" | "cell" | "flown" | "hover" | "plane" | "planeRanges">} */ ({
+  /** @type {Pick<FactTable, "tool" | "source" | "entry" | "address" | "offered" | "summary" | "description" | "statistics" | "histogram" | "worst" | "irregular" | "shown" | "colour" | "layers" | "cell" | "flown" | "hover" | "plane" | "planeRanges">} */ ({
     tool: "turn",
     source: null,
     entry: null,
     address: "",
+    offered: null,
     summary: null,
     description: null,
     statistics: {},
@@ -88,6 +91,7 @@ const NOTHING = {
   timings: {},
   archive: null,
   catalogue: null,
+  offers: [],
   planeShown: false,
   keeping: "changed",
   changed: "",

@@ -13,7 +13,8 @@
  * @property {import("../state/tables.js").Tables} tables the core's tables: metrics, formats, defaults
  *
  * @typedef {object} Actions  what the page asks of the application that is more than a setting
- * @property {string} root address of the site's root
+ * @property {Pick<import("../hosts/host.js").Host, "root" | "keeps" | "shares">} host
+ * @property {{ open: (id: string) => Promise<unknown> } | null} offered meshes that the core has at hand
  * @property {(files: readonly File[]) => Promise<unknown>} openFiles
  * @property {(source: string) => Promise<void>} chooseSource
  * @property {(source: string, mesh: string) => Promise<void>} chooseEntry

@@ -46,7 +46,7 @@ def test_A2_a_site_that_is_not_there_is_told(
     [
         ("build", "site_builder", "in a clone of the repository"),
         ("validate", "yaml", "in a clone of the repository"),
-        ("render", "playwright", "pip install playwright"),
+        ("render", "playwright", "pip install 'hexalab[render]'"),
     ],
 )
 def test_A2_a_verb_whose_package_is_missing_says_what_to_install(

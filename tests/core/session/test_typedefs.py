@@ -13,14 +13,16 @@ import pytest
 
 from hexalab.formats import read_bytes, write_bytes
 from hexalab.packing import unpack
-from hexalab.session import DESCRIBED, Session
+from hexalab.session import DESCRIBED, Session, prepared
 from hexalab.session.door import METHODS, Door
+from hexalab.session.warm_up import grid
 from hexalab.status import DEFAULTS
 from tests.core.session.typedefs import Shapes, Typedef, parts, typedefs
 
 RECORDS = typedefs("geometry/records.js")
 ANSWERS = typedefs("state/answers.js") | {name: RECORDS[name] for name in RECORDS if name != "MeshFrame"}
 ASKED = typedefs("core/types.js")["Methods"].properties
+ONE = write_bytes(grid(1), "mesh")
 OPAQUE = ("PartialStatus", "SeparationMode")
 
 ROW = re.compile(r"\{ args: \[(?P<args>.*)\], answer: (?P<answer>.*) \}")
@@ -37,7 +39,7 @@ class Conversation:
     """A door that is asked as the page asks, its answers unpacked."""
 
     def __init__(self) -> None:
-        self._door = Door()
+        self._door = Door(Session({"one": lambda: prepared(read_bytes(ONE, "one.mesh"))}))
 
     def ask(self, method: str, *arguments: Any, data: bytes | None = None) -> Any:
         """Ask one question."""
@@ -51,6 +53,7 @@ class Conversation:
 def answers(attributed: bytes, infinite: bytes) -> Iterator[tuple[str, Any]]:
     """Every method's answers: on a mesh with attributes, and on one with values that are not finite."""
     core = Conversation()
+    yield "open_offered", core.ask("open_offered", "one")
     yield "open", core.ask("open", "grid.vtk", data=attributed)
     yield "update", core.ask("update", {}, False)
     yield "update", core.ask("update", {"colour": {"by": "quality"}}, True)

@@ -57,8 +57,7 @@ function parts() {
     messages,
     tables: /** @type {any} */ ({ core_paths: CORE_PATHS }),
     canvas: /** @type {any} */ (null),
-    ahead: /** @type {any} */ (null),
-    root: "",
+    host: /** @type {any} */ ({ offers: null, root: "" }),
   });
   drawing.begin();
   drawn.length = 0;

@@ -1,0 +1,88 @@
+"""Meshes that a host has at hand for its viewers: files of this machine, each version read once."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import threading
+from collections.abc import Sequence
+from pathlib import Path
+
+from ..formats import read
+from ..mesh import Mesh
+from ..session import prepared
+
+Stamp = tuple[int, int, int]
+"""What tells two versions of a file apart: modification time in nanoseconds, bytes, inode."""
+
+
+def stamp_of(path: Path) -> Stamp | None:
+    """The version of a file; None where it is not there."""
+    try:
+        state = os.stat(path)
+    except OSError:
+        return None
+    return state.st_mtime_ns, state.st_size, state.st_ino
+
+
+class FileOffer:
+    """A file that may be opened again and again, by several pages; the version that was read last is kept.
+
+    Parameters
+    ----------
+    path : Path
+    name : str
+        Shown to the user.
+    """
+
+    def __init__(self, path: Path, name: str) -> None:
+        self.path = path
+        self.name = name
+        self._lock = threading.Lock()
+        self._read: tuple[Stamp | None, Mesh] | None = None
+
+    def mesh(self) -> Mesh:
+        """Read the file, if it has changed; the mesh is `prepared`, its faces are matched.
+
+        Raises
+        ------
+        MeshReadError
+            It can't be read, or is not there.
+        """
+        with self._lock:  # whoever comes second waits for what the first has asked for
+            stamp = stamp_of(self.path)  # before: what changes meanwhile is read again the next time
+            if self._read is None or self._read[0] != stamp:
+                self._read = None  # of large files only one version is held here
+                mesh = prepared(read(self.path))
+                _ = mesh.topology.boundary_face_count
+                self._read = stamp, mesh
+            return self._read[1]
+
+    def read_ahead(self) -> threading.Thread:
+        """Begin to read the file; what goes wrong is told to whoever asks for the mesh."""
+        thread = threading.Thread(target=self._try, name=f"reading {self.name}", daemon=True)
+        thread.start()
+        return thread
+
+    def sha256(self) -> str:
+        """SHA-256 of the file as it is now, in hexadecimal; "" where it can't be read."""
+        try:
+            with open(self.path, "rb") as file:
+                return hashlib.file_digest(file, "sha256").hexdigest()
+        except OSError:
+            return ""
+
+    def _try(self) -> None:
+        try:
+            self.mesh()
+        except Exception:
+            return
+
+
+def file_offers(paths: Sequence[Path]) -> dict[str, FileOffer]:
+    """Offers of files, by their places in the list; files of one name are told apart by their folders."""
+    names = [path.name for path in paths]
+    shown = [path.name if names.count(path.name) == 1 else str(path) for path in paths]
+    return {
+        str(place): FileOffer(path, name) for place, (path, name) in enumerate(zip(paths, shown, strict=True))
+    }

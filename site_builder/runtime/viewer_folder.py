@@ -1,0 +1,53 @@
+"""The viewer as the wheel carries it: one page, one script, one style sheet; no Python, which is there already."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+from ..output import Output
+from ..pages.styles import style_sheets
+from ..pages.viewer_page import viewer_page
+from .bundle import COMMAND
+
+SCRIPT, STYLE, ICON = "viewer.js", "viewer.css", "icon.svg"
+
+
+def write_viewer(root: Path, out: Path) -> None:
+    """Write the viewer's files; those that are the same already stay untouched.
+
+    Parameters
+    ----------
+    root : Path
+        The checkout, with node_modules.
+    out : Path
+        Folder that the wheel takes them from.
+
+    Raises
+    ------
+    RuntimeError
+        If bundling fails.
+    """
+    style = style_sheets()["viewer"]
+    files = {
+        "index.html": viewer_page("server", style=STYLE, script=SCRIPT, icon=ICON),
+        "frame.html": viewer_page("frame", style_text=style),
+        SCRIPT: _bundled(root, "static/viewer/main.js"),
+        STYLE: style,
+        ICON: (root / "static" / "icon.svg").read_text("utf-8"),
+    }
+    output = Output(out)
+    for name, text in files.items():
+        output.write(name, text)
+    for file in out.iterdir():
+        if file.name not in files:
+            file.unlink()
+
+
+def _bundled(root: Path, entry: str) -> str:
+    """A script with all that it imports."""
+    command = [str(root / "node_modules" / ".bin" / "esbuild"), str(root / entry), *COMMAND]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=root)
+    if done.returncode:
+        raise RuntimeError(f"bundling the viewer failed:\n{done.stderr.strip()}")
+    return done.stdout

@@ -1,0 +1,96 @@
+import { Superseded } from "../core/client.js";
+
+/**
+ * Meshes that the core has at hand: the first is opened, the others can be chosen; one whose file was written anew is opened
+ * again, under all its settings.
+ *
+ * @typedef {import("../hosts/offers.js").Offer} Offer
+ */
+export class Offered {
+  #app;
+  #offers;
+  #begun = false;
+
+  /** @param {import("./app.js").App} app @param {import("../hosts/offers.js").Offers} offers */
+  constructor(app, offers) {
+    this.#app = app;
+    this.#offers = offers;
+  }
+
+  start() {
+    const offers = this.#offers;
+    const id = (/** @type {Event} */ event) => /** @type {CustomEvent<{ id: string }>} */ (event).detail.id;
+    offers.addEventListener("offered", () => this.#take());
+    offers.addEventListener("changed", (event) => void this.#again(id(event)));
+    offers.addEventListener("gone", (event) => this.#tellGone(id(event)));
+    offers.addEventListener("stopped", () => this.#tellStopped());
+    if (offers.list.length) this.#take();
+  }
+
+  /** @param {string} id @param {unknown} [status] */
+  async open(id, status) {
+    const { opening, steps } = this.#app;
+    const offer = this.#offers.list.find((one) => one.id === id);
+    if (!offer) throw new Error(`nothing is offered by the name of ${id}`);
+    steps.leave();
+    const origin = { name: offer.name, offered: id };
+    const summary = await opening.open({ ...origin, status });
+    steps.add(null, () => opening.open(origin));
+    return summary;
+  }
+
+  #take() {
+    const { list, status } = this.#offers;
+    this.#app.facts.set({ offers: list });
+    if (this.#begun || !list.length) return;
+    this.#begun = true;
+    this.open(list[0].id, status ?? undefined).catch(() => {}); // said in a message by whoever failed
+  }
+
+  /** The file of the open mesh was written anew. @param {string} id */
+  async #again(id) {
+    const { opening, messages, facts, cells } = this.#app;
+    if (facts.get("offered") !== id) return;
+    const before = facts.get("summary")?.cells;
+    const inspected = facts.get("cell")?.cell;
+    try {
+      const summary = await opening.renew();
+      if (!summary) return;
+      const alike = summary.cells === before;
+      messages.say("note", `${summary.name} was written anew, and is shown as it is now`, { topic: "watch" });
+      if (alike && inspected !== undefined) await cells.inspect(inspected);
+    } catch (error) {
+      if (!(error instanceof Superseded))
+        messages.say(
+          "warning",
+          "The mesh from before is still shown; the next change of the file is waited for",
+          {
+            topic: "watch",
+          },
+        );
+    }
+  }
+
+  /** @param {string} id */
+  #tellGone(id) {
+    const { facts, messages } = this.#app;
+    const name = this.#offers.list.find((one) => one.id === id)?.name;
+    if (facts.get("offered") !== id || !name) return;
+    messages.say(
+      "warning",
+      `${name} is not there any more: the mesh is shown as it was read, until the file comes back`,
+      {
+        topic: "watch",
+      },
+    );
+  }
+
+  #tellStopped() {
+    this.#app.facts.set({ core: "failed" });
+    this.#app.messages.say(
+      "warning",
+      "The program on this machine has ended: the picture can be turned and saved, and nothing more can be asked",
+      { topic: "core" },
+    );
+  }
+}

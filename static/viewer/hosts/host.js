@@ -1,0 +1,31 @@
+/**
+ * Who shows the viewer: the static site, a server on the user's machine, a notebook. What differs between them is said here
+ * once; the rest of the viewer asks for it by name.
+ *
+ * @typedef {object} Host
+ * @property {string} root address of the site with the catalogue, "" where there is none
+ * @property {boolean} keeps whether the browser may keep files, and the page itself, for later visits
+ * @property {boolean} shares whether the page's address opens the same for others
+ * @property {boolean} steps whether opened meshes are steps of the browser's history
+ * @property {string} addressed the mesh that the page's address names: "source/mesh", an address, or nothing
+ * @property {import("../core/client.js").CoreClient} client
+ * @property {Ahead} ahead
+ * @property {import("./offers.js").Offers | null} offers meshes that the core has at hand
+ */
+
+/**
+ * What comes before the core does.
+ *
+ * @typedef {Pick<import("../catalogue/ahead.js").Ahead, "shown" | "tellShown" | "preview">
+ *   & { catalogue: Promise<import("../catalogue/catalogue.js").Catalogue | null> }} Ahead
+ */
+
+/** What comes ahead of the core where there is no catalogue: nothing. @returns {Ahead} */
+export function nothingAhead() {
+  return {
+    catalogue: Promise.resolve(null),
+    shown: Promise.resolve(),
+    tellShown: () => {},
+    preview: (address) => Promise.reject(new Error(`there is no preview at ${address}`)),
+  };
+}

@@ -1,0 +1,33 @@
+/**
+ * Meshes that the core can open without their bytes being sent, and what is told of them.
+ *
+ * Events: "offered" when the list has come or changed; "changed" and "gone" ({id}) when a file was written anew or is there no
+ * more; "stopped" when the core's program has ended.
+ *
+ * @typedef {{ id: string, name: string }} Offer
+ */
+export class Offers extends EventTarget {
+  /** @type {readonly Offer[]} */
+  list = [];
+  /** Settings that the first one is to be opened under. @type {object | null} */
+  status = null;
+  /** Whether changes of the files are told. */
+  watched = false;
+
+  /** @param {{ offers: readonly Offer[], status: object | null, watched: boolean }} given */
+  take({ offers, status, watched }) {
+    this.list = offers;
+    this.status = status;
+    this.watched = watched;
+    this.dispatchEvent(new Event("offered"));
+  }
+
+  /** @param {"changed" | "gone"} what @param {string} id */
+  tell(what, id) {
+    this.dispatchEvent(new CustomEvent(what, { detail: { id } }));
+  }
+
+  tellStopped() {
+    this.dispatchEvent(new Event("stopped"));
+  }
+}

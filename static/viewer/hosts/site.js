@@ -1,0 +1,25 @@
+import { Ahead } from "../catalogue/ahead.js";
+import { CoreClient } from "../core/client.js";
+import { soon } from "../core/soon.js";
+import { WorkerTransport } from "../core/worker_transport.js";
+
+/** Processor cores on which the first picture and Python get in each other's way: there one comes after the other. */
+const FEW_CORES = 2;
+
+/** Milliseconds that Python waits for the first picture, at most: a later one waits for the network. */
+const PATIENCE = 1000;
+
+/** The static site: the catalogue, Python in a worker, everything kept for when there is no network. @returns {import("./host.js").Host} */
+export function site() {
+  const { worker, runtime, root } = /** @type {Record<string, string>} */ (document.documentElement.dataset);
+  const addressed = new URLSearchParams(location.search).get("mesh") ?? "";
+  const ahead = new Ahead(new URL(root, document.baseURI).href, addressed);
+  const inTurn = addressed !== "" && navigator.hardwareConcurrency <= FEW_CORES;
+  const transport = new WorkerTransport({
+    worker: new URL(worker, document.baseURI),
+    runtime: new URL(runtime, document.baseURI),
+    turn: inTurn ? soon(ahead.shown, PATIENCE) : null,
+  });
+  const client = new CoreClient(transport);
+  return { root, keeps: true, shares: true, steps: true, addressed, client, ahead, offers: null };
+}
