@@ -1,6 +1,6 @@
 """`make bench`: every figure of the specification that a machine can print, in a few minutes.
 
-python -m benchmarks [native] [archives] [start] [browser] [memory] [lighting]
+python -m benchmarks [native] [archives] [start] [browser] [view] [memory] [lighting]
 """
 
 from __future__ import annotations
@@ -10,13 +10,14 @@ import platform
 import sys
 from pathlib import Path
 
-from . import archives, browser, lighting, memory, native, start
+from . import archives, browser, lighting, memory, native, start, view
 
 PARTS = {
     "native": native.run,
     "archives": archives.run,
     "start": start.run,
     "browser": browser.run,
+    "view": view.run,
     "memory": memory.run,
     "lighting": lighting.run,
 }

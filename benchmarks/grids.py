@@ -11,6 +11,9 @@ from hexalab import Mesh, write
 SIZES = {"25k": 29, "216k": 60, "1M": 100}
 """Name to cells along each side."""
 
+LARGE = {"4M": 160, "10M": 216}
+"""More than a browser's Python can hold: for the native core."""
+
 PICKED = 100_000
 """Cells picked by hand, a quarter of the mesh at the most: they lie behind the planes that are measured, so that a
 slice must cost what it costs without them."""
@@ -39,5 +42,5 @@ def grid_file(name: str, suffix: str, folder: Path) -> Path:
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / f"grid-{name}{suffix}"
     if not path.is_file():
-        write(noisy_grid(SIZES[name]), path)
+        write(noisy_grid((SIZES | LARGE)[name]), path)
     return path

@@ -49,6 +49,19 @@ export class HexaLab {
     return this.#app.openUrl(fileOrUrl);
   }
 
+  /** Meshes that can be opened by `openOffered`: the files of `hexalab view`, a notebook's mesh. @returns {readonly { id: string, name: string }[]} */
+  offers() {
+    return this.#app.facts.get("offers");
+  }
+
+  /** Open a mesh that is at hand; as `open`. @param {string} id @returns {Promise<Known | null>} */
+  async openOffered(id) {
+    if (!this.#app.offered) throw new Error("nothing is at hand here");
+    await this.#app.offered.open(id);
+    await this.#app.measures.filled;
+    return this.summary();
+  }
+
   /** Summary of the open mesh, with what its description tells by now, or null. @returns {Known | null} */
   summary() {
     const { facts } = this.#app;
@@ -154,6 +167,8 @@ export class HexaLab {
 /** @type {readonly (keyof HexaLab)[]} */
 const METHODS = [
   "open",
+  "offers",
+  "openOffered",
   "summary",
   "getStatus",
   "setStatus",

@@ -193,8 +193,9 @@ export class Opening {
     const changed = new Set(touched);
     const { settings, kept } = openingSettings(ownView(store.defaults, summary.view, entry?.mesh.view), {
       status,
-      touched: origin.renewed ? new Set(Object.keys(status)) : touched,
-      keeping: origin.renewed ? "always" : before ? facts.get("keeping") : "changed",
+      touched,
+      keeping: before ? facts.get("keeping") : "changed",
+      renewed: origin.renewed === true,
       alike: before?.cells === summary.cells,
       has: (quantity) => Boolean(summary.attributes?.some((one) => one.id === quantity)),
     });

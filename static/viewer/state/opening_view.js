@@ -14,6 +14,7 @@ import { merge } from "./paths.js";
  * @property {ReadonlySet<string>} touched sections that were changed since the program began, or was reset
  * @property {Keeping} keeping
  * @property {boolean} alike whether the meshes have as many cells, so that picked ones may mean the same
+ * @property {boolean} renewed whether it is the same mesh, written anew: then all stays that can
  * @property {(quantity: string) => boolean} has whether the mesh that is opened has this attribute
  */
 
@@ -41,14 +42,14 @@ export function ownView(defaults, { direction, up, facing }, portrait = {}) {
  * @param {Status} own the mesh's own @param {Before} before
  * @returns {{ settings: PartialStatus, kept: boolean }}
  */
-export function openingSettings(own, { status, touched, keeping, alike, has }) {
+export function openingSettings(own, { status, touched, keeping, alike, renewed, has }) {
   const changed = VIEW.some((section) => touched.has(section));
-  const kept = keeping === "always" || (keeping === "changed" && changed);
+  const kept = renewed || keeping === "always" || (keeping === "changed" && changed);
   const { version: _, mesh: __, ...sections } = own;
   const settings = /** @type {Omit<Status, "version" | "mesh">} */ (
     Object.fromEntries(
       Object.entries(sections).map(([name, value]) => {
-        const stays = VIEW.some((section) => section === name) ? kept : touched.has(name);
+        const stays = VIEW.some((section) => section === name) ? kept : renewed || touched.has(name);
         return [name, stays ? status[/** @type {keyof Status} */ (name)] : value];
       }),
     )
@@ -59,7 +60,7 @@ export function openingSettings(own, { status, touched, keeping, alike, has }) {
   return {
     settings: {
       ...settings,
-      colour: { ...colour, range: null, ...(known ? {} : { by: "sides", attribute: "" }) },
+      colour: { ...colour, range: renewed && known ? colour.range : null, ...(known ? {} : { by: "sides", attribute: "" }) },
       filters: {
         ...filters,
         picking: alike ? picking : own.filters.picking,

@@ -29,6 +29,7 @@ const untouched = {
   touched: /** @type {Set<string>} */ (new Set()),
   keeping: /** @type {const} */ ("changed"),
   alike: false,
+  renewed: false,
   has: () => false,
 };
 const turned = {
@@ -104,4 +105,19 @@ test("S1: an attribute that the next mesh lacks colours nothing", () => {
     openingSettings(own, { ...untouched, status, touched, has: () => true }).settings.colour?.by,
     "attribute",
   );
+});
+
+test("A5: a mesh that was written anew keeps all that it can", () => {
+  const { version: _, mesh: __, ...sections } = turned;
+  const status = { ...turned, colour: { ...turned.colour, by: /** @type {const} */ ("quality"), range: [0.2, 1] } };
+  const renewed = { ...untouched, status: /** @type {any} */ (status), renewed: true, alike: true };
+  const { settings } = openingSettings(own, renewed);
+  const filters = {
+    ...sections.filters,
+    quality: { enabled: true, items: sections.filters.quality.items.slice(0, 1) },
+  };
+  assert.deepEqual(settings, { ...sections, colour: status.colour, filters });
+  const other = openingSettings(own, { ...renewed, alike: false, has: () => true }).settings;
+  assert.deepEqual(other.filters?.picking, own.filters.picking, "of other cells none is picked");
+  assert.equal(other.filters?.quality?.items?.length, 2);
 });
