@@ -15,10 +15,9 @@ from pathlib import Path
 
 from PIL import Image
 
+from hexalab.hosts.offers import FileOffer
 from hexalab.hosts.rendering import Renderer
 from hexalab.png_text import read_settings
-
-from .page import SITE
 
 ROW = re.compile(r"^\|\s*(\S+\.png)\s*\|\s*(\S+)\s*\|", re.MULTILINE)
 RULE = 8
@@ -28,12 +27,12 @@ RULE = 8
 def run(meshes: Path, pictures: Path, out: Path) -> None:
     """Draw each picture of the table again and write the pair."""
     out.mkdir(parents=True, exist_ok=True)
-    with Renderer(SITE) as renderer:
+    with Renderer() as renderer:
         for picture, mesh in ROW.findall((pictures / "README.md").read_text()):
             model = (pictures / picture).read_bytes()
             size = Image.open(io.BytesIO(model)).size
-            data = (meshes / mesh).read_bytes()
-            rendering = renderer.render(mesh, data, read_settings(model), width=size[0], height=size[1])
+            offer = FileOffer(meshes / mesh, mesh)
+            rendering = renderer.render(offer, read_settings(model), width=size[0], height=size[1])
             side_by_side(model, rendering.data).save(out / picture)
             timings = renderer.page.evaluate("() => window.hexalab.timings()")
             print(f"{picture}: light {timings.get('lighting', 0) / 1000:.1f} s", *rendering.rejections)

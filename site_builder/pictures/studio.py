@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable, Sequence
+from contextlib import ExitStack
 from pathlib import Path
 
 from playwright.sync_api import Error as PlaywrightError
 
-from hexalab.hosts.rendering import Renderer, RenderError
+from hexalab.hosts.rendering import RenderError, Viewer
+from hexalab.hosts.serving import make_server
 from hexalab.status import DEFAULTS, merge
 
 from .album import Album
@@ -17,8 +20,27 @@ Progress = Callable[[str, float], None]
 """Called with what is being done, and how much of all pictures is done: 0 to 1."""
 
 
-class Studio(Renderer):
-    """The viewer of a built site, ready to take shots of its own meshes."""
+class Studio(Viewer):
+    """The viewer of a built site, ready to take shots of its own meshes.
+
+    Parameters
+    ----------
+    site : Path
+        A built site.
+    """
+
+    def __init__(self, site: Path) -> None:
+        super().__init__()
+        self._site = site
+
+    def address(self, started: ExitStack) -> str:
+        """Serve the site on this machine."""
+        if not (self._site / "viewer" / "index.html").is_file():
+            raise RenderError(f"there is no viewer in {self._site}: build the site first (hexalab build)")
+        server = started.enter_context(make_server(self._site))
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        started.callback(server.shutdown)
+        return f"{server.address}viewer/"
 
     def take(self, shot: Shot) -> bytes:
         """The PNG of a shot, its status inside.
@@ -30,18 +52,14 @@ class Studio(Renderer):
         """
         name = shot.mesh.id
         status = merge({name: part for name, part in DEFAULTS.items() if name != "mesh"}, shot.status)
-        if shot.part:
-            answer = self.show(name, None, status)
-            rejections, png = answer["rejections"], self._photograph(shot)
-        elif "figure" in shot.status:
-            rendering = self.figure(name, None, status)
-            rejections, png = rendering.rejections, rendering.data
-        else:
-            rendering = self.render(name, None, status, width=shot.width, height=shot.height)
-            rejections, png = rendering.rejections, rendering.data
+        rejections = self.show_named(name, status=status)["rejections"]
         if rejections:
             raise RenderError(f"the status of a picture of {name} is wrong: {rejections}")
-        return png
+        if shot.part:
+            return self._photograph(shot)
+        if "figure" in shot.status:
+            return self.picture(name, "png", None)
+        return self.picture(name, "", {"width": shot.width, "height": shot.height, "transparent": False})
 
     def _photograph(self, shot: Shot) -> bytes:
         try:

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks.page import SITE
 from hexalab import Mesh, cli, write
+from hexalab.hosts.offers import FileOffer
 from hexalab.hosts.rendering import Renderer
 from hexalab.png_text import read_settings
 from site_builder.pictures.album import png_size
@@ -38,7 +38,7 @@ def test_A2_render_makes_the_same_picture_again_from_its_own_status(
     status = {"separation": {"mode": "rounded"}, "background": "#336699", "silhouette": 7}
     (tmp_path / "status.json").write_text(json.dumps(status))
     first, second = tmp_path / "first.png", tmp_path / "second.png"
-    words = ["render", str(cube), "--site", str(SITE), "--width", "320", "--height", "200"]
+    words = ["render", str(cube), "--width", "320", "--height", "200"]
     assert run([*words, "-o", str(first), "--status", str(tmp_path / "status.json")]) == 0
     out, err = capsys.readouterr()
     assert out.startswith(f"{first}: 320 x 200 pixels")
@@ -53,15 +53,15 @@ def test_A2_render_makes_the_same_picture_again_from_its_own_status(
 
 def test_B3_nothing_of_a_picture_stays_for_the_next(cube: Path) -> None:
     def pictures() -> list[bytes]:
-        with Renderer(SITE) as renderer:
+        with Renderer() as renderer:
             size = {"width": 160, "height": 100}
-            data = cube.read_bytes()
-            first = renderer.render("cube.mesh", data, {"lighting": {"mode": "none"}}, **size)
+            mesh = FileOffer(cube, "cube.mesh")
+            first = renderer.render(mesh, {"lighting": {"mode": "none"}}, **size)
             loud = {"background": "#336699", "colour": {"by": "quality"}, "separation": {"mode": "rounded"}}
-            renderer.render("cube.mesh", data, loud, **size)
+            renderer.render(mesh, loud, **size)
             return [
                 first.data,
-                renderer.render("cube.mesh", data, {"lighting": {"mode": "none"}}, **size).data,
+                renderer.render(mesh, {"lighting": {"mode": "none"}}, **size).data,
             ]
 
     with ThreadPoolExecutor(1) as thread:
@@ -77,7 +77,7 @@ def test_S5_render_makes_figures_of_each_format(
         "figure": {"legend": "bar", "caption": True, "width": 85, "unit": "mm"},
     }
     (tmp_path / "look.json").write_text(json.dumps(look))
-    words = ["render", str(cube), "--site", str(SITE), "--status", str(tmp_path / "look.json"), "-o"]
+    words = ["render", str(cube), "--status", str(tmp_path / "look.json"), "-o"]
     assert run([*words, str(tmp_path / "cube.svg")]) == 0
     svg = (tmp_path / "cube.svg").read_text()
     assert ">Scaled<" in svg and ">Jacobian<" in svg and "cube.mesh" in svg and svg.count("<image ") == 1

@@ -45,8 +45,10 @@ def test_B1_a_dropped_zip_gives_pictures_histograms_and_measurements(viewer: Pag
         viewer.locator("#batch").get_by_role("button", name="Start").click()
     assert waiting.value.suggested_filename == "meshes-hexalab.zip"
     made = zipfile.ZipFile(Path(waiting.value.path()))
-    names = {"box.png", "box-scaled_jacobian.png", "deep/bar.png", "deep/bar-scaled_jacobian.png"}
-    assert set(made.namelist()) == names | {"measurements.csv"}
+    charts = {f"{stem}-scaled_jacobian.{form}" for stem in ("box", "deep/bar") for form in ("png", "svg")}
+    tables = {"measurements.csv", "measurements.json"}
+    assert set(made.namelist()) == {"box.png", "deep/bar.png"} | charts | tables
+    assert made.read("deep/bar-scaled_jacobian.svg").startswith(b"<svg")
     for name, colour in (("box.png", (255, 0, 0)), ("deep/bar.png", (16, 32, 48))):
         picture = Image.open(io.BytesIO(made.read(name)))
         assert picture.size == (120, 80)
@@ -59,6 +61,11 @@ def test_B1_a_dropped_zip_gives_pictures_histograms_and_measurements(viewer: Pag
     assert float(rows["box.mesh"]["scaled_jacobian_min"]) == pytest.approx(values.min(), rel=1e-9)
     assert float(rows["box.mesh"]["scaled_jacobian_mean"]) == pytest.approx(np.mean(values), rel=1e-9)
     assert rows["box.mesh"]["cells"] == "27"
+    told = {one["name"]: one for one in json.loads(made.read("measurements.json"))["meshes"]}
+    assert told["box.mesh"]["quality"]["scaled_jacobian"]["min"] == float(
+        rows["box.mesh"]["scaled_jacobian_min"]
+    )
+    assert told["broken.vtk"] == {"name": "broken.vtk", "problem": rows["broken.vtk"]["problem"]}
 
 
 def test_R5_decks_in_an_archive_are_meshes_with_what_they_include(viewer: Page, tmp_path: Path) -> None:

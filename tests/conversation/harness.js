@@ -41,9 +41,6 @@ Object.assign(window, {
   /** @param {string} way @param {Record<string, string>} place */
   begin: async (way, place) => {
     client = /** @type {any} */ (new CoreClient(TRANSPORTS[way](place)));
-    client.addEventListener("identified", (event) =>
-      news.push({ identified: /** @type {CustomEvent} */ (event).detail.sha256 }),
-    );
     await client.ready;
   },
   news: () => news,

@@ -30,6 +30,7 @@ class Verb(NamedTuple):
     remedy: str = ""
 
 
+CLUSTER = "`pip install 'hexalab[cluster]'` brings it, here and on every worker"
 CLONE = "this verb works in a clone of the repository: `pip install -e '.[site]'` there"
 RENDER = (
     "`pip install 'hexalab[render]'` brings it; pictures need a Chromium, too: `playwright install chromium`"
@@ -41,6 +42,7 @@ VERBS = {
     "convert": Verb("write a mesh in another format", "hexalab.cli.convert"),
     "view": Verb("open the viewer on files of this machine", "hexalab.cli.view"),
     "render": Verb("make a picture of a mesh", "hexalab.cli.render", RENDER),
+    "batch": Verb("make pictures and measurements of many meshes", "hexalab.cli.batch", RENDER),
     "serve": Verb("serve a built site on this machine", "hexalab.cli.serve"),
     "build": Verb("build the site out of the repository", "site_builder.cli.build", CLONE),
     "validate": Verb(
@@ -112,7 +114,7 @@ def run(argv: Sequence[str]) -> int:
     try:
         return int(arguments.run(arguments))
     except ModuleNotFoundError as error:
-        raise missing(arguments.verb, error) from None
+        raise missing(arguments.verb, error, VERBS[arguments.verb].remedy) from None
 
 
 def module_of(verb: str) -> ModuleType:
@@ -126,13 +128,13 @@ def module_of(verb: str) -> ModuleType:
     try:
         return import_module(VERBS[verb].module)
     except ModuleNotFoundError as error:
-        raise missing(verb, error) from None
+        raise missing(verb, error, VERBS[verb].remedy) from None
 
 
-def missing(verb: str, error: ModuleNotFoundError) -> Exception:
-    """Say which package a verb lacks, and what to do; the error itself where a remedy is not known."""
-    remedy, package = VERBS[verb].remedy, (error.name or "").split(".")[0]
-    return HexaLabError(f"{verb}: the package {package} is not installed; {remedy}") if remedy else error
+def missing(what: str, error: ModuleNotFoundError, remedy: str) -> Exception:
+    """Say which package a verb or an option lacks, and what to do; the error itself where a remedy is not known."""
+    package = (error.name or "").split(".")[0]
+    return HexaLabError(f"{what}: the package {package} is not installed; {remedy}") if remedy else error
 
 
 def complain(error: Exception, prefix: str = "hexalab") -> int:

@@ -6,7 +6,8 @@ import sys
 from argparse import ArgumentParser, ArgumentTypeError, Namespace
 from pathlib import Path
 
-from .. import HexaLabError, read
+from ..errors import HexaLabError
+from ..hosts.offers import FileOffer
 from . import settings
 
 LARGEST_SIDE = 8192
@@ -44,13 +45,6 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument("--width", type=side, metavar="N", help="pixels (default: 1280; a figure's own)")
     parser.add_argument("--height", type=side, metavar="N", help="pixels (default: 800; a figure's own)")
     parser.add_argument("--transparent", action="store_true", help="leave the background out")
-    parser.add_argument(
-        "--site",
-        type=Path,
-        default=Path("build/site"),
-        metavar="DIR",
-        help="a built site, whose viewer draws (default: %(default)s)",
-    )
     parser.set_defaults(run=run)
 
 
@@ -68,15 +62,15 @@ def run(arguments: Namespace) -> int:
     if figure and bool(arguments.width) != bool(arguments.height):
         raise HexaLabError("--width, --height: of a figure give both, or none")
     status = settings.read_status(arguments.status) if arguments.status else None
-    read(arguments.file)  # what can't be read is told before a browser is started
-    name, data = arguments.file.name, arguments.file.read_bytes()
+    mesh = FileOffer(arguments.file, arguments.file.name)
+    mesh.mesh()  # what can't be read is told before a browser is started
     size = {"width": arguments.width, "height": arguments.height}
-    with Renderer(arguments.site) as renderer:
+    with Renderer() as renderer:
         if figure:
-            picture = renderer.figure(name, data, status, format=form, **size)
+            picture = renderer.figure(mesh, status, format=form, **size)
         else:
             size = {"width": arguments.width or WIDTH, "height": arguments.height or HEIGHT}
-            picture = renderer.render(name, data, status, **size, transparent=arguments.transparent)
+            picture = renderer.render(mesh, status, **size, transparent=arguments.transparent)
     out.write_bytes(picture.data)
     for rejection in picture.rejections:
         words = f"{rejection['path']}: found {rejection['found']}, expected {rejection['expected']}"

@@ -12,6 +12,7 @@ import json
 import secrets
 import select
 import socket
+import sys
 import threading
 from collections.abc import Callable, Mapping
 from http import HTTPStatus
@@ -30,7 +31,7 @@ from ..session.door import Door
 from .built import PAGE, built_viewer
 from .frames import Question, read_question
 from .gate import LOOPBACK, refusal, same, token_of
-from .offers import FileOffer
+from .offers import Offer
 from .serving import TYPES
 
 SEAT = "X-HexaLab-Seat"
@@ -49,7 +50,7 @@ Event = dict[str, Any]
 class Seat:
     """One page's session, and what it is told."""
 
-    def __init__(self, offers: Mapping[str, FileOffer]) -> None:
+    def __init__(self, offers: Mapping[str, Offer]) -> None:
         self._door = Door(Session({name: offer.mesh for name, offer in offers.items()}))
         self._lock = threading.Lock()
         self._news: SimpleQueue[Event] | None = None
@@ -89,7 +90,7 @@ class Loopback(ThreadingHTTPServer):
 
     Parameters
     ----------
-    offers : mapping of str to FileOffer
+    offers : mapping of str to Offer
         What pages may open; the first is opened.
     host : str
         An address of the loopback.
@@ -99,6 +100,8 @@ class Loopback(ThreadingHTTPServer):
         Settings that the first mesh is opened under.
     watched : bool
         Whether pages are to know that changes will be told.
+    opens : bool
+        Whether pages open the first mesh by themselves.
     grace : float
         Seconds that the session of a page that has gone is kept.
     viewer : Path, optional
@@ -117,12 +120,13 @@ class Loopback(ThreadingHTTPServer):
 
     def __init__(
         self,
-        offers: Mapping[str, FileOffer],
+        offers: Mapping[str, Offer],
         *,
         host: str = "127.0.0.1",
         port: int = 0,
         status: dict[str, Any] | None = None,
         watched: bool = False,
+        opens: bool = True,
         grace: float = GRACE,
         viewer: Path | None = None,
     ) -> None:
@@ -134,6 +138,7 @@ class Loopback(ThreadingHTTPServer):
         }
         self.status = status
         self.watched = watched
+        self.opens = opens
         self.token = secrets.token_urlsafe(32)
         self._ticket = secrets.token_urlsafe(32)
         self._grace = grace
@@ -179,6 +184,11 @@ class Loopback(ThreadingHTTPServer):
         self.tell({"stopped": True})
         super().server_close()
 
+    def handle_error(self, request: Any, client_address: Any) -> None:
+        """A page that leaves while it is answered is no error of ours."""
+        if not isinstance(sys.exc_info()[1], OSError):
+            super().handle_error(request, client_address)
+
     # -- for its requests
 
     def admit(self, given: str) -> bool:
@@ -200,6 +210,7 @@ class Loopback(ThreadingHTTPServer):
             "offers": [{"id": name, "name": offer.name} for name, offer in self.offers.items()],
             "status": self.status,
             "watched": self.watched,
+            "opens": self.opens,
         }
 
     def seat(self, name: str) -> Seat | None:
@@ -228,9 +239,7 @@ class Loopback(ThreadingHTTPServer):
             find = hashlib.sha256(question.blocks[0]).hexdigest if question.blocks else lambda: ""
 
         def run() -> None:
-            sha256 = find()
-            if sha256:
-                seat.tell({"identified": {"question": question.id, "sha256": sha256}})
+            seat.tell({"identified": {"question": question.id, "sha256": find()}})
 
         threading.Thread(target=run, name="identifying", daemon=True).start()
 

@@ -5,10 +5,13 @@ from __future__ import annotations
 import hashlib
 import os
 import threading
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Protocol
 
-from ..formats import read
+from ..errors import HexaLabError
+from ..formats import read, read_bytes
 from ..mesh import Mesh
 from ..session import prepared
 
@@ -23,6 +26,26 @@ def stamp_of(path: Path) -> Stamp | None:
     except OSError:
         return None
     return state.st_mtime_ns, state.st_size, state.st_ino
+
+
+class Offer(Protocol):
+    """A mesh that a host has at hand."""
+
+    @property
+    def name(self) -> str:
+        """Shown to the user."""
+
+    def mesh(self) -> Mesh:
+        """The mesh, `prepared`.
+
+        Raises
+        ------
+        MeshReadError
+            It can't be read, or is not there.
+        """
+
+    def sha256(self) -> str:
+        """SHA-256 of the file that it was read from, in hexadecimal; "" where there is none."""
 
 
 class FileOffer:
@@ -77,6 +100,58 @@ class FileOffer:
             self.mesh()
         except Exception:
             return
+
+
+@dataclass(frozen=True)
+class BytesOffer:
+    """A file whose bytes are at hand, such as one out of an archive.
+
+    Parameters
+    ----------
+    name : str
+        Or its path, where it includes others.
+    data : bytes
+    companions : dict of str to bytes
+        Files that it may include, by their paths.
+    """
+
+    name: str
+    data: bytes
+    companions: Mapping[str, bytes] = field(default_factory=dict)
+
+    def mesh(self) -> Mesh:
+        """Read it; errors as for `Offer`."""
+        return prepared(read_bytes(self.data, self.name, self.companions))
+
+    def sha256(self) -> str:
+        """Hash its bytes."""
+        return hashlib.sha256(self.data).hexdigest()
+
+
+class Easel:
+    """Holds one offer after the other, for a page that is shown many."""
+
+    def __init__(self) -> None:
+        self.offer: Offer | None = None
+
+    @property
+    def name(self) -> str:
+        """That of what is on it; "" while nothing is."""
+        return self.offer.name if self.offer else ""
+
+    def mesh(self) -> Mesh:
+        """The mesh that is on it."""
+        return self._present.mesh()
+
+    def sha256(self) -> str:
+        """That of what is on it."""
+        return self._present.sha256()
+
+    @property
+    def _present(self) -> Offer:
+        if self.offer is None:
+            raise HexaLabError("nothing is on the easel")
+        return self.offer
 
 
 def file_offers(paths: Sequence[Path]) -> dict[str, FileOffer]:

@@ -1,21 +1,17 @@
-"""Pictures of meshes without a window: the built site's own viewer, driven in headless Chromium.
+"""Pictures of meshes without a window: the viewer, driven in headless Chromium, before the native core.
 
->>> with Renderer(Path("build/site")) as renderer:                               # doctest: +SKIP
-...     rendering = renderer.render("cube.mesh", data, {"filters": {"peel": {"depth": 1}}})
+>>> with Renderer() as renderer:                                                 # doctest: +SKIP
+...     rendering = renderer.render(BytesOffer("cube.mesh", data), {"filters": {"peel": {"depth": 1}}})
 >>> Path("cube.png").write_bytes(rendering.data)                                 # doctest: +SKIP
 """
 
 from __future__ import annotations
 
 import base64
-import threading
-from contextlib import ExitStack
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
-from functools import partial
-from http.server import ThreadingHTTPServer
-from pathlib import Path
 from typing import Any, Self, TypedDict
-from urllib.parse import unquote
 
 from playwright.sync_api import Error as PlaywrightError
 from playwright.sync_api import Page
@@ -23,21 +19,22 @@ from playwright.sync_api import Page
 from hexalab import HexaLabError
 
 from .browser import BrowserMissing, browser
-from .serving import SiteHandler
+from .loopback import Loopback
+from .offers import Easel, Offer
 
 WIDTH, HEIGHT = 1280, 800
-OFFERED = "/-offered-mesh"
-"""Address at which the page finds the mesh: the file itself is nowhere in the site."""
+EASEL = "0"
+"""What the page knows the mesh by that is on the easel."""
 
 PATIENCE = 600_000
 """Milliseconds for one picture: light on a large mesh takes its time without a graphics card."""
 
-SHOW = """async ({ address, name, status }) => {
+SHOW = """async ({ offered, name, status }) => {
   const hexalab = window.hexalab;
   try {
     await hexalab.reset(); // of the settings of the picture before nothing stays
-    if (address) await hexalab.open(new File([await (await fetch(address)).blob()], name));
-    else await hexalab.open(name);
+    await (offered ? hexalab.openOffered(offered) : hexalab.open(name));
+    await hexalab.identified();
     const rejections = status ? await hexalab.setStatus(status) : [];
     await hexalab.settled();
     return { rejections, summary: hexalab.summary() };
@@ -46,19 +43,32 @@ SHOW = """async ({ address, name, status }) => {
   }
 }"""
 
-PICTURE = """async ({ format, size }) => {
-  try {
-    const { hexalab } = window;
-    const picture = await (format ? hexalab.figure(format, size) : hexalab.screenshot(size));
-    const bytes = new Uint8Array(await picture.arrayBuffer());
-    let text = "";
-    for (let at = 0; at < bytes.length; at += 32768)
-      text += String.fromCharCode(...bytes.subarray(at, at + 32768));
-    return { data: btoa(text) };
-  } catch (error) {
-    return { failed: error.message ?? String(error) };
-  }
+BASE64 = """(bytes) => {
+  let text = "";
+  for (let at = 0; at < bytes.length; at += 32768)
+    text += String.fromCharCode(...bytes.subarray(at, at + 32768));
+  return btoa(text);
 }"""
+
+PICTURE = f"""async ({{ format, size }}) => {{
+  try {{
+    const {{ hexalab }} = window;
+    const picture = await (format ? hexalab.figure(format, size) : hexalab.screenshot(size));
+    return {{ data: ({BASE64})(new Uint8Array(await picture.arrayBuffer())) }};
+  }} catch (error) {{
+    return {{ failed: error.message ?? String(error) }};
+  }}
+}}"""
+
+PORTRAY = f"""async ({{ offered, how }}) => {{
+  try {{
+    const {{ measured, row, made }} = await window.hexalab.portray(offered, how);
+    const line = Object.fromEntries(Object.entries(row).map(([name, value]) => [name, String(value)]));
+    return {{ measured, line, made: made.map(({{ name, bytes }}) => [name, ({BASE64})(bytes)]) }};
+  }} catch (error) {{
+    return {{ failed: error.message ?? String(error) }};
+  }}
+}}"""
 
 FIGURES = ("png", "svg", "pdf")
 """Formats of figures."""
@@ -110,53 +120,41 @@ class Rendering:
     summary: dict[str, Any] = field(default_factory=dict)
 
 
-class _Handler(SiteHandler):
-    """The site, and one mesh beside it."""
-
-    def __init__(self, *arguments: Any, shelf: dict[str, bytes], **named: Any) -> None:
-        self._shelf = shelf
-        super().__init__(*arguments, **named)
-
-    def do_GET(self) -> None:
-        """Hand out the mesh from memory, and files of the site."""
-        if unquote(self.path) != OFFERED:
-            return super().do_GET()
-        data = self._shelf[OFFERED]
-        self.send_response(200)
-        self.send_header("Content-Type", "application/octet-stream")
-        self.send_header("Content-Length", str(len(data)))
-        self.end_headers()
-        self.wfile.write(data)
-
-    def log_message(self, format: str, *arguments: Any) -> None:
-        """Stay quiet."""
-
-
-class Renderer:
-    """The viewer, ready to make one picture after the other.
+@dataclass(frozen=True)
+class Portrait:
+    """What a batch makes of one mesh.
 
     Parameters
     ----------
-    site : Path
-        A built site.
+    measured : dict
+        `name`, `problem` ("" if there is none), `picture`, `vertices`, `cells`, `boundary_faces`, `quality` (metric id
+        to statistics).
+    line : dict of str to str
+        Its line of the table, by column.
+    files : dict of str to bytes
+        Picture and histograms, by name.
     """
 
-    def __init__(self, site: Path) -> None:
-        self._site = site
-        self._shelf: dict[str, bytes] = {}
+    measured: dict[str, Any]
+    line: dict[str, str]
+    files: dict[str, bytes]
+
+
+class Viewer:
+    """The viewer in a headless browser, wherever its page comes from."""
+
+    def __init__(self) -> None:
         self._open = ExitStack()
         self._page: Page | None = None
 
     def __enter__(self) -> Self:
-        """Serve the site on this machine and start the browser.
+        """Start the browser, and the viewer in it.
 
         Raises
         ------
         RenderError
-            There is no site, or no browser, or the viewer does not start.
+            There is no viewer, or no browser, or the viewer does not start.
         """
-        if not (self._site / "viewer" / "index.html").is_file():
-            raise RenderError(f"there is no viewer in {self._site}: build the site first (hexalab build)")
         try:
             with ExitStack() as started:
                 self._page = self._start(started)
@@ -170,10 +168,81 @@ class Renderer:
     def __exit__(self, *_: object) -> None:
         self._open.close()
 
+    @property
+    def page(self) -> Page:
+        """The viewer's page."""
+        assert self._page is not None, "use it in a with block"
+        return self._page
+
+    def address(self, started: ExitStack) -> str:
+        """Serve the viewer as long as `started` is open; gives its page's address."""
+        raise NotImplementedError
+
+    def show_named(self, name: str, offered: str = "", status: dict[str, Any] | None = None) -> Shown:
+        """Open a mesh in the viewer and wait until its light has converged.
+
+        Parameters
+        ----------
+        name : str
+            Of the mesh, for what goes wrong; of one of the site's catalogue "source/mesh".
+        offered : str
+            What the page knows a mesh by that is at hand.
+        status : dict, optional
+            Whole or partial, ours or the original's; it is laid over the defaults, whatever was shown before.
+
+        Raises
+        ------
+        RenderError
+            The mesh can't be read, or the browser gave up.
+        """
+        answer = self.answer(SHOW, {"offered": offered, "name": name, "status": status}, name)
+        return Shown(rejections=answer["rejections"], summary=answer["summary"])
+
+    def picture(self, name: str, format: str, size: dict[str, Any] | None) -> bytes:
+        """Take the picture of what is shown, or its figure in a format of `FIGURES`; errors as for `show_named`."""
+        return base64.b64decode(self.answer(PICTURE, {"format": format, "size": size}, name)["data"])
+
+    def answer(self, script: str, argument: dict[str, Any], name: str) -> dict[str, Any]:
+        """What a script of the page answers; errors as for `show_named`."""
+        try:
+            answer: dict[str, Any] = self.page.evaluate(script, argument)
+        except PlaywrightError as error:
+            raise RenderError(f"{name}: the browser gave up: {_first_line(error)}") from None
+        if "failed" in answer:
+            raise RenderError(str(answer["failed"]))
+        return answer
+
+    def _start(self, started: ExitStack) -> Page:
+        address = self.address(started)
+        chromium = started.enter_context(browser())
+        context = chromium.new_context(
+            viewport={"width": WIDTH, "height": HEIGHT}, service_workers="block", color_scheme="light"
+        )
+        context.set_default_timeout(PATIENCE)
+        page = context.new_page()
+        page.goto(address)
+        page.wait_for_function("() => window.hexalab !== undefined")
+        page.evaluate("() => window.hexalab.ready")
+        return page
+
+
+class Renderer(Viewer):
+    """Makes one picture after the other; the native core answers the page."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._easel = Easel()
+
+    def address(self, started: ExitStack) -> str:
+        """Serve the built viewer on this machine."""
+        server = started.enter_context(Loopback({EASEL: self._easel}, opens=False))
+        server.start()
+        started.callback(server.shutdown)
+        return server.address
+
     def render(
         self,
-        name: str,
-        data: bytes | None,
+        mesh: Offer,
         status: dict[str, Any] | None = None,
         *,
         width: int = WIDTH,
@@ -184,10 +253,7 @@ class Renderer:
 
         Parameters
         ----------
-        name : str
-            The file's name, or "source/mesh" of the site's catalogue.
-        data : bytes or None
-            The file; None for a mesh of the catalogue.
+        mesh : Offer
         status : dict, optional
             Whole or partial, ours or the original's; it is laid over the defaults, whatever was rendered before.
         width, height : int
@@ -201,12 +267,12 @@ class Renderer:
             The mesh can't be read, or the browser gave up.
         """
         size = {"width": width, "height": height, "transparent": transparent}
-        return self._picture(name, data, status, "", size)
+        with self._shown(mesh, status) as shown:
+            return Rendering(self.picture(mesh.name, "", size), **shown)
 
     def figure(
         self,
-        name: str,
-        data: bytes | None,
+        mesh: Offer,
         status: dict[str, Any] | None = None,
         *,
         format: str = "png",
@@ -217,7 +283,7 @@ class Renderer:
 
         Parameters
         ----------
-        name, data, status
+        mesh, status
             As for `render`.
         format : str
             One of `FIGURES`.
@@ -230,75 +296,61 @@ class Renderer:
             The mesh can't be read, the figure leaves no room for its pictures, or the browser gave up.
         """
         size = {"width": width, "height": height} if width and height else None
-        return self._picture(name, data, status, format, size)
+        with self._shown(mesh, status) as shown:
+            return Rendering(self.picture(mesh.name, format, size), **shown)
 
-    def _picture(
+    def portray(
         self,
-        name: str,
-        data: bytes | None,
-        status: dict[str, Any] | None,
-        format: str,
-        size: dict[str, Any] | None,
-    ) -> Rendering:
-        answer = self.show(name, data, status)
-        taken = self._answer(PICTURE, {"format": format, "size": size}, name)
-        return Rendering(base64.b64decode(taken["data"]), answer["rejections"], answer["summary"])
-
-    def show(self, name: str, data: bytes | None, status: dict[str, Any] | None = None) -> Shown:
-        """Open a mesh in the viewer and wait until its light has converged.
+        mesh: Offer,
+        stem: str,
+        layers: list[Any],
+        *,
+        name: str = "",
+        width: int | None = None,
+        height: int | None = None,
+        figures: bool = False,
+    ) -> Portrait:
+        """Draw and measure a mesh as the page's batch does.
 
         Parameters
         ----------
-        name, data, status
-            As for `render`.
-
-        Returns
-        -------
-        Shown
-            What could not be applied, and the mesh's summary.
+        mesh : Offer
+        stem : str
+            What its files are called by.
+        layers : list
+            Settings documents, laid over the defaults and over each other.
+        name : str
+            What it is called in the table; the mesh's own by default.
+        width, height : int, optional
+            Of the picture in pixels; by default 1280 x 800, a figure's own.
+        figures : bool
+            Whether the picture is the figure that the settings ask for.
 
         Raises
         ------
         RenderError
-            The mesh can't be read, or the browser gave up.
+            The browser gave up. A mesh that can't be read is told in the answer.
         """
-        if data is not None:
-            self._shelf[OFFERED] = data
-        address = "" if data is None else OFFERED
-        answer = self._answer(SHOW, {"address": address, "name": name, "status": status}, name)
-        return Shown(rejections=answer["rejections"], summary=answer["summary"])
+        how = {"name": name or mesh.name, "stem": stem, "layers": layers, "figures": figures}
+        if width and height:
+            how |= {"width": width, "height": height}
+        with self._on_easel(mesh):
+            answer = self.answer(PORTRAY, {"offered": EASEL, "how": how}, mesh.name)
+        files = {file: base64.b64decode(data) for file, data in answer["made"]}
+        return Portrait(answer["measured"], answer["line"], files)
 
-    @property
-    def page(self) -> Page:
-        """The viewer's page."""
-        assert self._page is not None, "use it in a with block"
-        return self._page
+    @contextmanager
+    def _shown(self, mesh: Offer, status: dict[str, Any] | None) -> Iterator[Shown]:
+        with self._on_easel(mesh):
+            yield self.show_named(mesh.name, EASEL, status)
 
-    def _answer(self, script: str, argument: dict[str, Any], name: str) -> dict[str, Any]:
+    @contextmanager
+    def _on_easel(self, mesh: Offer) -> Iterator[None]:
+        self._easel.offer = mesh
         try:
-            answer: dict[str, Any] = self.page.evaluate(script, argument)
-        except PlaywrightError as error:
-            raise RenderError(f"{name}: the browser gave up: {_first_line(error)}") from None
-        if "failed" in answer:
-            raise RenderError(str(answer["failed"]))
-        return answer
-
-    def _start(self, started: ExitStack) -> Page:
-        handler = partial(_Handler, directory=str(self._site), shelf=self._shelf)
-        server = started.enter_context(ThreadingHTTPServer(("127.0.0.1", 0), handler))
-        server.daemon_threads = True
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        started.callback(server.shutdown)
-        chromium = started.enter_context(browser())
-        context = chromium.new_context(
-            viewport={"width": WIDTH, "height": HEIGHT}, service_workers="block", color_scheme="light"
-        )
-        context.set_default_timeout(PATIENCE)
-        page = context.new_page()
-        page.goto(f"http://127.0.0.1:{server.server_address[1]}/viewer/")
-        page.wait_for_function("() => window.hexalab !== undefined")
-        page.evaluate("() => window.hexalab.ready")
-        return page
+            yield
+        finally:
+            self._easel.offer = None
 
 
 def _first_line(error: Exception) -> str:

@@ -1,3 +1,4 @@
+import { rowOf } from "../batch/batch.js";
 import { readZip } from "../files/zip.js";
 
 /**
@@ -99,6 +100,11 @@ export class HexaLab {
     await this.#app.drawing.drawn();
   }
 
+  /** Resolves when the open mesh is identified by its SHA-256, which then stands in the status. @returns {Promise<void>} */
+  identified() {
+    return this.#app.opening.identified;
+  }
+
   /** Resolves when the lighting has converged. @returns {Promise<void>} */
   async settled() {
     await this.#app.drawing.drawn();
@@ -142,6 +148,19 @@ export class HexaLab {
     return zip;
   }
 
+  /**
+   * Draw and measure a mesh that is at hand, as `batch` does each of an archive.
+   *
+   * @param {string} id @param {{ name: string, stem: string, layers: unknown[], width?: number, height?: number, figures?: boolean }} how
+   *   what it and its files are called, and the documents that make up its settings
+   * @returns {Promise<{ measured: import("../batch/batch.js").Measured, row: import("../batch/batch.js").Row, made: import("../batch/batch.js").Made[] }>}
+   */
+  async portray(id, { name, stem, layers, width, height, figures = false }) {
+    const how = { layers: async () => layers, size: { width, height }, figures };
+    const { measured, made } = await this.#app.batch.portray(name, stem, { name, offered: id }, how);
+    return { measured, row: rowOf(measured), made };
+  }
+
   /** What is drawn at the moment: faces, triangles, edges, cells, and how many frames so far. @returns {{ faces: number, triangles: number, edges: number, cells: number, frames: number }} */
   drawn() {
     return { ...this.#app.scene.drawn(), frames: this.#app.scene.frames };
@@ -173,6 +192,7 @@ const METHODS = [
   "getStatus",
   "setStatus",
   "reset",
+  "identified",
   "settled",
   "screenshot",
   "figure",

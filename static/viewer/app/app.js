@@ -111,12 +111,6 @@ export class App {
         watch.end();
         if (this.host.keeps) void this.newVersion.start();
       });
-    client.addEventListener("identified", (event) => {
-      const { sha256, bytes } = /** @type {CustomEvent<{ sha256: string, bytes?: ArrayBuffer }>} */ (event)
-        .detail;
-      store.set({ mesh: { sha256 } }, { undo: false });
-      if (bytes) this.opening.keep(bytes);
-    });
     client.addEventListener("died", () => {
       this.drawing.pause();
       facts.set({ core: "starting" });

@@ -40,9 +40,9 @@ export class Offered {
   }
 
   #take() {
-    const { list, status } = this.#offers;
+    const { list, status, opens } = this.#offers;
     this.#app.facts.set({ offers: list });
-    if (this.#begun || !list.length) return;
+    if (this.#begun || !opens || !list.length) return;
     this.#begun = true;
     this.open(list[0].id, status ?? undefined).catch(() => {}); // said in a message by whoever failed
   }

@@ -16,6 +16,7 @@ import { openingSettings, ownView } from "../state/opening_view.js";
  * @property {string} [offered] what the core has it at hand by
  * @property {boolean} [renewed] whether it is the mesh on the screen, as it is now: all settings stay
  * @property {() => Promise<Record<string, ArrayBuffer>>} [companions] files that it refers to, by their paths
+ * @property {string} [sha256] of what was read, once that is known
  * @property {Blob} [kept] what was read, so that it can be read again though the file has changed
  * @property {import("../state/entry.js").Entry | null} [entry] of the catalogue
  * @property {unknown} [status] partial document to apply with the mesh
@@ -60,6 +61,9 @@ export class Opening {
   /** What the core holds: another mesh than the screen shows, from when a newer one is asked for until that is there. @type {Origin | null} */
   #held = null;
 
+  /** Settles when the open mesh's SHA-256 is known, or can't be. @type {Promise<void>} */
+  identified = Promise.resolve();
+
   /** @param {import("./app.js").App} app */
   constructor(app) {
     this.#app = app;
@@ -98,7 +102,6 @@ export class Opening {
       task.report(null, this.#reading(origin));
       const summary = await this.#ask(origin, bytes);
       needless();
-      this.#held = origin;
       if (turn !== this.#turn) this.#app.drawing.pause();
       current();
       const previewed = await preview;
@@ -136,7 +139,6 @@ export class Opening {
     if (!this.#current) return;
     const { drawing, measures } = this.#app;
     await this.#ask(this.#current, await (this.#current.kept?.arrayBuffer() ?? bytesIn(this.#current)));
-    this.#held = this.#current;
     drawing.begin();
     await drawing.update();
     measures.fill();
@@ -150,15 +152,23 @@ export class Opening {
   /** @param {Origin} origin @param {ArrayBuffer | null} bytes @returns {Promise<Summary>} */
   async #ask(origin, bytes) {
     const { client } = this.#app;
-    const replace = { replace: "open" };
-    if (bytes === null) return client.call("open_offered", [/** @type {string} */ (origin.offered)], replace);
     const companions = await origin.companions?.();
-    return client.call("open", companions ? [origin.name, bytes, companions] : [origin.name, bytes], replace);
+    const options = { replace: "open" };
+    const summary = await (bytes === null
+      ? client.call("open_offered", [/** @type {string} */ (origin.offered)], options)
+      : client.call("open", companions ? [origin.name, bytes, companions] : [origin.name, bytes], options));
+    this.#held = origin;
+    origin.sha256 = origin.entry?.mesh.sha256 ?? "";
+    this.identified = client.identity.then((identity) => this.#identify(origin, identity));
+    return summary;
   }
 
-  /** Keep what the core has read, so that the mesh can be opened again when the core had to be restarted. @param {ArrayBuffer} bytes */
-  keep(bytes) {
-    if (this.#held && this.#held === this.#current) this.#held.kept = new Blob([bytes]);
+  /** The core has hashed what it opened; what it has read is kept for when it has to be started anew. @param {Origin} origin @param {import("../core/client.js").Identity} identity */
+  #identify(origin, { sha256, bytes }) {
+    if (origin !== this.#held) return;
+    if (sha256) origin.sha256 = sha256;
+    if (bytes) origin.kept = new Blob([bytes]);
+    if (origin === this.#current) this.#app.store.set({ mesh: { sha256: origin.sha256 } }, { undo: false });
   }
 
   /** @param {Origin} origin */
@@ -176,7 +186,7 @@ export class Opening {
     const { facts, drawing, documents } = this.#app;
     if (!previewed) this.#enter(origin, summary);
     facts.set({ summary });
-    this.#identify(origin, summary);
+    this.#tellMesh(origin, summary);
     drawing.begin();
     if (origin.layers) await documents.replaceBy(origin.layers);
     if (origin.status) await documents.apply(origin.status);
@@ -237,9 +247,10 @@ export class Opening {
   }
 
   /** @param {Origin} origin @param {Summary} summary */
-  #identify(origin, summary) {
-    const sha256 = origin.entry?.mesh.sha256 ?? "";
-    this.#app.store.set({ mesh: { name: origin.name, cells: summary.cells, sha256 } }, { undo: false });
+  #tellMesh(origin, summary) {
+    const { sha256 = "" } = origin;
+    const name = origin.offered === undefined ? origin.name : summary.name;
+    this.#app.store.set({ mesh: { name, cells: summary.cells, sha256 } }, { undo: false });
   }
 
   /**

@@ -12,7 +12,11 @@ import { meshesIn, originIn, settingsBeside } from "./archive.js";
  * @typedef {{ width?: number, height?: number, figures?: boolean, status?: unknown, signal?: AbortSignal,
  *   report?: (done: number, of: number, name: string, failed: number) => void }} Options
  * @typedef {{ width?: number, height?: number }} Size
- * @typedef {Record<string, string | number>} Row
+ * @typedef {Record<string, string | number>} Row  a line of the table
+ * @typedef {Record<string, number | null>} Numbers  statistics by name, null where they are none
+ * @typedef {{ name: string, problem: string, picture?: string, vertices?: number, cells?: number, boundary_faces?: number,
+ *   quality?: Record<string, Numbers> }} Measured  what is told of a mesh: of one that failed, name and problem
+ * @typedef {{ name: string, bytes: Uint8Array<ArrayBuffer> }} Made  a file
  * @typedef {import("../state/answers.js").Summary} Summary
  *
  * @typedef {object} Host  what a batch needs of the application
@@ -20,13 +24,13 @@ import { meshesIn, originIn, settingsBeside } from "./archive.js";
  * @property {Pick<import("../state/tables.js").Tables, "formats" | "metrics" | "statistics">} tables
  * @property {Pick<import("../state/facts.js").Facts, "get">} facts
  * @property {Pick<import("../core/client.js").CoreClient, "call">} client
- * @property {{ open: (origin: import("./archive.js").EntryOrigin & { layers: unknown[] }) => Promise<Summary>, mark: () => () => Promise<void> }} opening mark: what
+ * @property {{ open: (origin: import("../app/opening.js").Origin) => Promise<Summary>, mark: () => () => Promise<void>, identified: Promise<void> }} opening mark: what
  *   comes back to what is open
  * @property {{ replaceBy: (layers: readonly unknown[]) => Promise<void> }} documents
  * @property {{ drawn: () => Promise<void> }} drawing
  * @property {{ measured: () => Promise<void> }} measures
  * @property {{ settle: (topic: string) => void }} messages
- * @property {{ picture: (size: Size) => Promise<Blob>, figure: (size: Size) => Promise<Blob>, histogram: (format: "png") => Promise<Blob | null> }} saving
+ * @property {{ picture: (size: Size) => Promise<Blob>, figure: (size: Size) => Promise<Blob>, histogram: (format: "png" | "svg") => Promise<Blob | null> }} saving
  */
 
 /** The stem, or with a number added if a mesh of the same stem has it: both have pictures. @param {string} stem @param {Set<string>} names taken ones, in lower case */
@@ -37,11 +41,17 @@ function freeName(stem, names) {
   return free;
 }
 
-/** @param {readonly Row[]} rows */
-function failedOf(rows) {
-  return rows
-    .filter(({ problem }) => problem)
-    .map(({ name, problem }) => ({ name: String(name), problem: String(problem) }));
+/** @param {readonly Measured[]} all */
+function failedOf(all) {
+  return all.filter(({ problem }) => problem).map(({ name, problem }) => ({ name, problem }));
+}
+
+/** A mesh's line of the table: each statistic of each metric has a column. @param {Measured} measured @returns {Row} */
+export function rowOf({ quality = {}, ...facts }) {
+  const statistics = Object.entries(quality).flatMap(([id, numbers]) =>
+    Object.entries(numbers).map(([name, value]) => [`${id}_${name}`, value ?? ""]),
+  );
+  return { ...facts, ...Object.fromEntries(statistics) };
 }
 
 /** The table as CSV (RFC 4180), all columns that any row has. @param {readonly Row[]} rows */
@@ -69,34 +79,41 @@ export class Batch {
    *
    * @param {Entry[]} entries of an archive, or files
    * @param {Options} [options]
-   * @returns {Promise<{ zip: Blob, failed: { name: string, problem: string }[] }>} a zip: NAME.png and NAME-METRIC.png for each
-   *   mesh, measurements.csv; and the meshes that failed
+   * @returns {Promise<{ zip: Blob, failed: { name: string, problem: string }[] }>} a zip: NAME.png, NAME-METRIC.png and
+   *   NAME-METRIC.svg for each mesh, measurements.csv, measurements.json; and the meshes that failed
    */
   async run(entries, { width, height, figures = false, status, signal, report } = {}) {
     const meshes = await meshesIn(entries, this.#host.tables.formats);
     if (!meshes.length) throw new Error("there is no mesh among them");
     const comeBack = this.#host.opening.mark();
     const common = status ?? this.#present();
+    /** @type {Made[]} */
     const files = [];
-    const rows = [];
+    /** @type {Measured[]} */
+    const all = [];
     const names = new Set();
     try {
       for (const [index, whole] of meshes.entries()) {
         signal?.throwIfAborted();
-        report?.(index, meshes.length, whole.mesh.name, failedOf(rows).length);
-        const { row, made } = await this.#one(whole, entries, common, names, {
+        report?.(index, meshes.length, whole.mesh.name, failedOf(all).length);
+        const stem = freeName(stemOf(whole.mesh.name), names);
+        const { measured, made } = await this.portray(whole.mesh.name, stem, originIn(whole), {
+          layers: async () => [common, ...(await settingsBeside(whole.mesh, entries))],
           size: { width, height },
           figures,
         });
-        rows.push(row);
+        all.push(measured);
         files.push(...made);
       }
     } finally {
       await comeBack().catch(() => {}); // which was told
     }
-    const failed = failedOf(rows);
+    const failed = failedOf(all);
     report?.(meshes.length, meshes.length, "", failed.length);
-    files.push({ name: "measurements.csv", bytes: new TextEncoder().encode(toCsv(rows)) });
+    const text = (/** @type {string} */ name, /** @type {string} */ content) =>
+      files.push({ name, bytes: new TextEncoder().encode(content) });
+    text("measurements.csv", toCsv(all.map(rowOf)));
+    text("measurements.json", `${JSON.stringify({ meshes: all }, null, 1)}\n`);
     return { zip: writeZip(files), failed };
   }
 
@@ -107,64 +124,64 @@ export class Batch {
     return touched.has("camera") || touched.has("filters") ? status : others;
   }
 
-  /** @param {import("./archive.js").WholeEntry} whole @param {Entry[]} entries @param {unknown} common @param {Set<string>} names taken ones @param {{ size: { width?: number, height?: number }, figures: boolean }} how */
-  async #one(whole, entries, common, names, { size, figures }) {
-    const { mesh } = whole;
-    const stem = freeName(stemOf(mesh.name), names);
+  /**
+   * One mesh: what is measured of it, and the files that are made of it.
+   *
+   * @param {string} name @param {string} stem that its files are called by
+   * @param {Omit<import("../app/opening.js").Origin, "layers">} origin
+   * @param {{ layers: () => Promise<unknown[]>, size: Size, figures: boolean }} how documents that make up its settings, laid over each other
+   * @returns {Promise<{ measured: Measured, made: Made[] }>}
+   */
+  async portray(name, stem, origin, { layers, size, figures }) {
+    const { saving, measures, opening } = this.#host;
     try {
-      const layers = [common, ...(await settingsBeside(mesh, entries))];
-      const summary = await this.#open(whole, layers);
-      if (figures) await this.#host.measures.measured(); // of which the legend tells
-      const { saving } = this.#host;
-      const picture = await (figures ? saving.figure(size) : saving.picture(size));
-      const made = [{ name: `${stem}.png`, bytes: await bytesOf(picture) }];
-      await this.#host.measures.measured();
-      const histogram = await this.#host.saving.histogram("png");
+      const { vertices, cells, boundary_faces } = await this.#open(origin, await layers());
+      await opening.identified; // which the pictures carry
+      if (figures) await measures.measured(); // of which the legend tells
+      const picture = `${stem}.png`;
+      const made = [await madeOf(picture, await (figures ? saving.figure(size) : saving.picture(size)))];
+      await measures.measured();
       const { quantity = "" } = this.#host.facts.get("histogram") ?? {};
-      if (histogram)
-        made.push({
-          name: `${stem}-${quantity.replace(/[^\w-]+/g, "-")}.png`,
-          bytes: await bytesOf(histogram),
-        });
-      return { row: { ...rowOf(mesh.name, summary, `${stem}.png`), ...(await this.#measure()) }, made };
+      for (const format of /** @type {const} */ (["png", "svg"])) {
+        const histogram = await saving.histogram(format);
+        if (histogram)
+          made.push(await madeOf(`${stem}-${quantity.replace(/[^\w-]+/g, "-")}.${format}`, histogram));
+      }
+      const quality = await this.#measure();
+      return { measured: { name, problem: "", picture, vertices, cells, boundary_faces, quality }, made };
     } catch (error) {
       if (error instanceof Superseded)
         throw new Error("the batch was stopped: another mesh was opened", { cause: error });
       if (error instanceof CoreError && error.kind === "WorkerError") throw error;
       return {
-        row: { name: mesh.name, problem: error instanceof Error ? error.message : String(error) },
+        measured: { name, problem: error instanceof Error ? error.message : String(error) },
         made: [],
       };
     }
   }
 
-  /** @param {import("./archive.js").WholeEntry} whole @param {unknown[]} layers */
-  async #open(whole, layers) {
+  /** @param {Omit<import("../app/opening.js").Origin, "layers">} origin @param {unknown[]} layers */
+  async #open(origin, layers) {
     const { opening, drawing, messages } = this.#host;
-    const summary = await opening.open({ ...originIn(whole), layers });
+    const summary = await opening.open({ ...origin, layers });
     messages.settle("offer");
     await drawing.drawn();
     return summary;
   }
 
-  /** Statistics of every metric, a column for each. @returns {Promise<Row>} */
+  /** Statistics of every metric. @returns {Promise<Record<string, Numbers>>} */
   async #measure() {
-    /** @type {Row} */
-    const row = {};
+    /** @type {Record<string, Numbers>} */
+    const quality = {};
     for (const { id } of this.#host.tables.metrics) {
       const statistics = await this.#host.client.call("quality", [id]);
-      for (const name of this.#host.tables.statistics) row[`${id}_${name}`] = statistics[name] ?? "";
+      quality[id] = Object.fromEntries(this.#host.tables.statistics.map((name) => [name, statistics[name]]));
     }
-    return row;
+    return quality;
   }
 }
 
-/** @param {string} name @param {Summary} summary @param {string} picture @returns {Row} */
-function rowOf(name, { vertices, cells, boundary_faces }, picture) {
-  return { name, problem: "", picture, vertices, cells, boundary_faces };
-}
-
-/** @param {Blob} blob */
-async function bytesOf(blob) {
-  return new Uint8Array(await blob.arrayBuffer());
+/** @param {string} name @param {Blob} blob @returns {Promise<Made>} */
+async function madeOf(name, blob) {
+  return { name, bytes: new Uint8Array(await blob.arrayBuffer()) };
 }

@@ -11,8 +11,7 @@ import { question } from "./question.js";
  * One call is under way at a time; the others wait in order. A call with a `replace` key takes the place of one with
  * the same key that still waits (whose promise is rejected with `Superseded`), so that a pointer never queues.
  *
- * Events: "busy" when the first call starts and "idle" when the last has ended; "identified" ({sha256}) some time
- * after a file is opened; "loading" ({file}) when a part of the core has come; "died" and "restarted" when the core had to
+ * Events: "busy" when the first call starts and "idle" when the last has ended; "loading" ({file}) when a part of the core has come; "died" and "restarted" when the core had to
  * be started anew; "stopped" ({error}) when it died of the same thing again, or could not be started anew: then every call
  * is refused until `restart`.
  *
@@ -38,6 +37,15 @@ import { question } from "./question.js";
 
 /** So often the core may die in a row before it is left alone. */
 const MOST_DEATHS = 3;
+
+/**
+ * A file by its SHA-256 in hexadecimal, "" where that can't be known; and its bytes, where they come back.
+ *
+ * @typedef {{ sha256: string, bytes?: ArrayBuffer }} Identity
+ */
+
+/** @type {Identity} */
+const UNKNOWN = { sha256: "" };
 
 /** Methods by which the mesh becomes another. */
 const OPENING = ["open", "open_offered"];
@@ -76,6 +84,12 @@ export class CoreClient extends EventTarget {
   #running = null;
   /** Number of the call that opened the present mesh. */
   #opened = 0;
+  /** What the file is that was opened last, some time after that. @type {Promise<Identity>} */
+  identity = Promise.resolve(UNKNOWN);
+  /** @type {(identity: Identity) => void} */
+  #identify = () => {};
+  /** What was told before its answer has come, on another way. */
+  #early = { id: 0, identity: UNKNOWN };
   #booted = false;
   /** Why no call can be answered. @type {Error | null} */
   #stopped = null;
@@ -113,11 +127,7 @@ export class CoreClient extends EventTarget {
         answered: (id, packed, cost) => this.#receive(id, packed, cost),
         refused: (id, failure) => id === this.#running?.id && this.#refuse(new CoreError(failure)),
         loading: (file) => this.dispatchEvent(new CustomEvent("loading", { detail: { file } })),
-        identified: (id, sha256, bytes) => {
-          // A file that could not be read, or was followed by another, is not what is open.
-          if (id === this.#opened)
-            this.dispatchEvent(new CustomEvent("identified", { detail: { sha256, bytes } }));
-        },
+        identified: (id, sha256, bytes) => this.#told(id, { sha256, bytes }),
       });
     });
     ready.catch((error) => this.#stop(error));
@@ -162,6 +172,7 @@ export class CoreClient extends EventTarget {
   #startAnew() {
     this.#transport.stop();
     this.#stopped = null;
+    this.#identify(UNKNOWN); // it is hashed no more
     this.dispatchEvent(new Event("died"));
     this.#fail(new CoreError({ kind: "WorkerError", message: "The core stopped and was started again." }));
     this.ready = this.#start();
@@ -212,11 +223,25 @@ export class CoreClient extends EventTarget {
     const { error, result } = unpack(packed);
     if (error) call.reject(new CoreError(/** @type {Failure} */ (error)));
     else {
-      if (OPENING.includes(call.method)) this.#opened = id;
+      if (OPENING.includes(call.method)) this.#begin(id);
       call.resolve(result);
     }
     this.#next();
     if (!this.pending) this.dispatchEvent(new Event("idle"));
+  }
+
+  /** Another mesh is open. @param {number} id */
+  #begin(id) {
+    this.#opened = id;
+    this.#identify(UNKNOWN);
+    this.identity = new Promise((resolve) => (this.#identify = resolve));
+    if (this.#early.id === id) this.#identify(this.#early.identity);
+  }
+
+  /** A file that could not be read, or was followed by another, is not what is open. @param {number} id @param {Identity} identity */
+  #told(id, identity) {
+    if (id === this.#opened) this.#identify(identity);
+    else this.#early = { id, identity };
   }
 
   /** @param {Failure} failure */

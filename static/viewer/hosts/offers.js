@@ -11,14 +11,14 @@ export class Offers extends EventTarget {
   list = [];
   /** Settings that the first one is to be opened under. @type {object | null} */
   status = null;
-  /** Whether changes of the files are told. */
-  watched = false;
+  /** Whether the first one is opened without being asked for. */
+  opens = true;
 
-  /** @param {{ offers: readonly Offer[], status: object | null, watched: boolean }} given */
-  take({ offers, status, watched }) {
+  /** @param {{ offers: readonly Offer[], status: object | null, opens: boolean }} given */
+  take({ offers, status, opens }) {
     this.list = offers;
     this.status = status;
-    this.watched = watched;
+    this.opens = opens;
     this.dispatchEvent(new Event("offered"));
   }
 

@@ -60,7 +60,11 @@ export function openingSettings(own, { status, touched, keeping, alike, renewed,
   return {
     settings: {
       ...settings,
-      colour: { ...colour, range: renewed && known ? colour.range : null, ...(known ? {} : { by: "sides", attribute: "" }) },
+      colour: {
+        ...colour,
+        range: renewed && known ? colour.range : null,
+        ...(known ? {} : { by: "sides", attribute: "" }),
+      },
       filters: {
         ...filters,
         picking: alike ? picking : own.filters.picking,

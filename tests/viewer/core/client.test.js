@@ -149,36 +149,56 @@ test("a core that can't start rejects `ready` and every call", async () => {
   await assert.rejects(call, { message: "no WebAssembly" });
 });
 
-test("events tell when the core is busy, idle, and which file was opened", async () => {
+test("events tell when the core is busy and idle, and a promise which file was opened", async () => {
   const { client: core, worker } = client();
   boot(worker);
   /** @type {string[]} */
   const told = [];
   core.addEventListener("busy", (event) => told.push(detailOf(event).method));
   core.addEventListener("idle", () => told.push("idle"));
-  core.addEventListener("identified", (event) => told.push(detailOf(event).sha256));
   const call = core.call("open", ["a.mesh", new ArrayBuffer(1)]);
   worker.answer(1, {});
   worker.reply({ id: 1, sha256: "ab" });
   await call;
-  assert.deepEqual(told, ["open", "idle", "ab"]);
+  assert.deepEqual(told, ["open", "idle"]);
+  assert.equal((await core.identity).sha256, "ab");
 });
 
 test("a file that could not be read, or was followed by another, does not name the open mesh", async () => {
   const { client: core, worker } = client();
   boot(worker);
-  /** @type {string[]} */
-  const told = [];
-  core.addEventListener("identified", (event) => told.push(detailOf(event).sha256));
   const calls = [1, 2, 3].map((id) => core.call("open", [`${id}.mesh`, new ArrayBuffer(1)]));
   worker.answer(1, {});
+  const first = core.identity;
   worker.answer(2, {});
   worker.reply({ id: 1, sha256: "a" });
   worker.reply({ id: 2, sha256: "b" });
   worker.refuse(3, { kind: "MeshReadError", message: "no mesh" });
   worker.reply({ id: 3, sha256: "c" });
   await assert.rejects(calls[2], { message: "no mesh" });
-  assert.deepEqual(told, ["b"]);
+  assert.equal((await core.identity).sha256, "b");
+  assert.equal((await first).sha256, "", "nobody waits for one that was followed by another");
+});
+
+test("a file whose hash comes before its answer, on another way, is identified", async () => {
+  const { client: core, worker } = client();
+  boot(worker);
+  const call = core.call("open", ["a.mesh", new ArrayBuffer(1)]);
+  worker.reply({ id: 1, sha256: "ab" });
+  worker.answer(1, {});
+  await call;
+  assert.equal((await core.identity).sha256, "ab");
+});
+
+test("nobody waits for the hash of a file whose core was started anew", async () => {
+  const { client: core, worker } = client();
+  boot(worker);
+  const call = core.call("open", ["a.mesh", new ArrayBuffer(1)]);
+  worker.answer(1, {});
+  await call;
+  const { identity } = core;
+  core.restart();
+  assert.equal((await identity).sha256, "");
 });
 
 test("arguments that a function makes are made when the call is sent, and never for one that is replaced", async () => {

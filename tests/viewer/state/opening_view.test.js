@@ -109,7 +109,10 @@ test("S1: an attribute that the next mesh lacks colours nothing", () => {
 
 test("A5: a mesh that was written anew keeps all that it can", () => {
   const { version: _, mesh: __, ...sections } = turned;
-  const status = { ...turned, colour: { ...turned.colour, by: /** @type {const} */ ("quality"), range: [0.2, 1] } };
+  const status = {
+    ...turned,
+    colour: { ...turned.colour, by: /** @type {const} */ ("quality"), range: [0.2, 1] },
+  };
   const renewed = { ...untouched, status: /** @type {any} */ (status), renewed: true, alike: true };
   const { settings } = openingSettings(own, renewed);
   const filters = {

@@ -1,0 +1,65 @@
+"""Doing one job: in this process, in another of this machine, or on a machine of a cluster."""
+
+from __future__ import annotations
+
+import threading
+from pathlib import Path
+from typing import Any
+from zipfile import BadZipFile
+
+from ... import __version__
+from ...errors import HexaLabError
+from ..rendering import Renderer, RenderError
+from .jobs import Job
+from .records import Outcome, failed, keep
+from .sources import Source
+
+
+class Bench(threading.local):
+    """A thread's own renderer: the browser is started once, and anew when it broke."""
+
+    renderer: Renderer | None = None
+
+    def ready(self) -> Renderer:
+        """The renderer, started."""
+        if self.renderer is None:
+            self.renderer = Renderer().__enter__()
+        return self.renderer
+
+    def clear(self) -> None:
+        """Close the browser."""
+        renderer, self.renderer = self.renderer, None
+        if renderer is not None:
+            renderer.__exit__(None, None, None)
+
+
+BENCH = Bench()
+
+
+def run(values: dict[str, Any]) -> Outcome:
+    """Do a job, a dict of `Job.as_dict`; what goes wrong with its mesh is told in the outcome."""
+    job = Job.of_dict(values)
+    if job.version != __version__:
+        return failed(job, f"this worker has HexaLab {__version__}, the batch was begun by {job.version}")
+    try:
+        source = Source(Path(job.source))
+        offer, layers = job.offer(source), job.layers(source)
+        portrait = BENCH.ready().portray(
+            offer, job.stem, layers, name=job.name,
+            width=job.look.width, height=job.look.height, figures=job.look.figures,
+        )  # fmt: skip
+    except RenderError as error:
+        BENCH.clear()
+        return failed(job, str(error))
+    except (HexaLabError, OSError, BadZipFile, MemoryError) as error:
+        return failed(job, str(error) or type(error).__name__)
+    out = Path(job.out)
+    for name, data in portrait.files.items():
+        (out / name).parent.mkdir(parents=True, exist_ok=True)
+        (out / name).write_bytes(data)
+    outcome = Outcome(
+        stem=job.stem, measured=portrait.measured, line=portrait.line, files=list(portrait.files)
+    )
+    if not portrait.measured["problem"]:
+        keep(job, job.key(offer, layers), outcome)
+    return outcome
