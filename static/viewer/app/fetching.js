@@ -3,7 +3,7 @@ import { sha256 } from "../../offline/hash.js";
 import { isRecent, Shelf } from "../../offline/shelf.js";
 import { nameIn } from "./address.js";
 
-/** @typedef {import("./opening.js").Origin} Origin @typedef {{ name: string, sha256: string }} Known */
+/** @typedef {import("../state/origin.js").Origin} Origin @typedef {{ name: string, sha256: string }} Known */
 
 /** Milliseconds without a byte after which a mesh that is kept is taken from there. */
 const PATIENCE = 4000;
@@ -28,7 +28,7 @@ export class Fetching {
     return { name, address, bytes: (report) => this.#bytes(address, { name, sha256 }, report) };
   }
 
-  /** @param {string} address @param {Known} known @param {import("./opening.js").Report} report */
+  /** @param {string} address @param {Known} known @param {import("../state/origin.js").Report} report */
   async #bytes(address, known, report) {
     const found = await this.#shelf.find(address);
     if (found && known.sha256 && found.row.sha256 === known.sha256) {

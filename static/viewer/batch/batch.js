@@ -24,7 +24,7 @@ import { meshesIn, originIn, settingsBeside } from "./archive.js";
  * @property {Pick<import("../state/tables.js").Tables, "formats" | "metrics" | "statistics">} tables
  * @property {Pick<import("../state/facts.js").Facts, "get">} facts
  * @property {Pick<import("../core/client.js").CoreClient, "call">} client
- * @property {{ open: (origin: import("../app/opening.js").Origin) => Promise<Summary>, mark: () => () => Promise<void>, identified: Promise<void> }} opening mark: what
+ * @property {{ open: (origin: import("../state/origin.js").Origin) => Promise<Summary>, mark: () => () => Promise<void>, identified: Promise<void> }} opening mark: what
  *   comes back to what is open
  * @property {{ replaceBy: (layers: readonly unknown[]) => Promise<void> }} documents
  * @property {{ drawn: () => Promise<void> }} drawing
@@ -128,7 +128,7 @@ export class Batch {
    * One mesh: what is measured of it, and the files that are made of it.
    *
    * @param {string} name @param {string} stem that its files are called by
-   * @param {Omit<import("../app/opening.js").Origin, "layers">} origin
+   * @param {Omit<import("../state/origin.js").Origin, "layers">} origin
    * @param {{ layers: () => Promise<unknown[]>, size: Size, figures: boolean }} how documents that make up its settings, laid over each other
    * @returns {Promise<{ measured: Measured, made: Made[] }>}
    */
@@ -160,7 +160,7 @@ export class Batch {
     }
   }
 
-  /** @param {Omit<import("../app/opening.js").Origin, "layers">} origin @param {unknown[]} layers */
+  /** @param {Omit<import("../state/origin.js").Origin, "layers">} origin @param {unknown[]} layers */
   async #open(origin, layers) {
     const { opening, drawing, messages } = this.#host;
     const summary = await opening.open({ ...origin, layers });
