@@ -7,7 +7,8 @@
 from __future__ import annotations
 
 import os
-from typing import BinaryIO
+from importlib import import_module
+from typing import Any, BinaryIO
 
 from . import formats
 from .cells import KINDS
@@ -38,6 +39,7 @@ __all__ = [
     "quality",
     "quality_many",
     "read",
+    "show",
     "statistics",
     "summarise",
     "write",
@@ -64,3 +66,37 @@ def read(file: str | os.PathLike[str] | BinaryIO) -> Mesh:
         If it is no mesh that can be read: file, place, what was found and what was expected.
     """
     return turn_round(formats.read(file))
+
+
+def show(mesh: Any, status: dict[str, Any] | None = None, *, height: int = 520) -> Any:
+    """Show a mesh in a notebook: Jupyter, VS Code, Colab, marimo.
+
+    Parameters
+    ----------
+    mesh : Mesh, path, meshio.Mesh, pyvista.UnstructuredGrid or (points, cells)
+        Of arrays: (V, 3) coordinates and (C, 8) vertices of hexahedra.
+    status : dict, optional
+        Settings, whole or in part.
+    height : int
+        Of the view, in pixels.
+
+    Returns
+    -------
+    View
+        The widget: `view.status` are all settings, to read and to set; `view.picked` is the cell in the inspector;
+        `view.screenshot()` gives a PNG.
+
+    Raises
+    ------
+    HexaLabError
+        It can't be shown: what was found, and what is taken.
+    MeshReadError
+        It is a file that can't be read.
+    ImportError
+        The widget's packages are not installed: ``pip install 'hexalab[notebook]'``.
+    """
+    try:
+        notebook = import_module("hexalab.hosts.notebook")
+    except ModuleNotFoundError as error:
+        raise ImportError(f"show needs the package {error.name}: pip install 'hexalab[notebook]'") from None
+    return notebook.show(mesh, status, height=height)

@@ -27,6 +27,7 @@ GROUPS = (
     ("The mesh", ("Mesh", "KINDS", "summarise")),
     ("Quality", ("quality", "quality_many", "METRICS", "Metric", "statistics", "histogram")),
     ("Validity and diagnosis", ("certify", "Validity", "diagnose", "Finding")),
+    ("In a notebook", ("show",)),
 )
 """The page's sections, and the public names in each."""
 

@@ -31,10 +31,9 @@ POLICIES: dict[Host, str] = {
 }
 """Content-Security-Policy of the page, by its host; what all have in common is in `COMMON`."""
 
-COMMON = (
-    "object-src 'none'; base-uri 'none'; form-action 'none'; "
-    "require-trusted-types-for 'script'; trusted-types hexalab"
-)
+COMMON = "object-src 'none'; base-uri 'none'; form-action 'none'"
+TRUSTED = "; require-trusted-types-for 'script'; trusted-types hexalab"
+"""A frame's script is put in from outside, where the viewer's policy for scripts is not known."""
 
 
 def viewer_page(
@@ -81,7 +80,7 @@ def viewer_page(
         raise ValueError("a style sheet that ends its own element can't be put into a page")
     return environment.get_template("viewer.html.jinja").render(
         host=host,
-        policy=Markup(POLICIES[host] + COMMON),
+        policy=Markup(POLICIES[host] + COMMON + ("" if host == "frame" else TRUSTED)),
         root=root,
         style=style,
         style_text=Markup(style_text),

@@ -1,4 +1,4 @@
-"""The viewer as the wheel carries it: one page, one script, one style sheet; no Python, which is there already."""
+"""The viewer as the wheel carries it: pages, scripts, a style sheet; no Python, which is there already."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ..pages.styles import style_sheets
 from ..pages.viewer_page import viewer_page
 from .bundle import COMMAND
 
-SCRIPT, STYLE, ICON = "viewer.js", "viewer.css", "icon.svg"
+SCRIPT, STYLE, ICON, NOTEBOOK = "viewer.js", "viewer.css", "icon.svg", "notebook.js"
 
 
 def write_viewer(root: Path, out: Path) -> None:
@@ -33,6 +33,7 @@ def write_viewer(root: Path, out: Path) -> None:
         "index.html": viewer_page("server", style=STYLE, script=SCRIPT, icon=ICON),
         "frame.html": viewer_page("frame", style_text=style),
         SCRIPT: _bundled(root, "static/viewer/main.js"),
+        NOTEBOOK: _bundled(root, "static/viewer/notebook/widget.js"),
         STYLE: style,
         ICON: (root / "static" / "icon.svg").read_text("utf-8"),
     }

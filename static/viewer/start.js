@@ -1,3 +1,4 @@
+import { frame } from "./hosts/frame.js";
 import { server } from "./hosts/server.js";
 import { site } from "./hosts/site.js";
 
@@ -7,6 +8,6 @@ import { site } from "./hosts/site.js";
  */
 
 /** Who may show the viewer, by the word that its page has for it. @type {Record<string, () => import("./hosts/host.js").Host>} */
-const HOSTS = { site, server };
+const HOSTS = { site, server, frame };
 
 export const host = HOSTS[document.documentElement.dataset.host ?? "site"]();

@@ -7,31 +7,27 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import secrets
 import select
 import socket
 import sys
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from queue import Empty, SimpleQueue
-from time import perf_counter
 from typing import Any, ClassVar
 from urllib.parse import urlsplit
 
 from .. import __version__
 from ..errors import HexaLabError
-from ..packing import Packed
-from ..session import Session
-from ..session.door import Door
 from .built import PAGE, built_viewer
-from .frames import Question, read_question
+from .frames import read_question
 from .gate import LOOPBACK, refusal, same, token_of
 from .offers import Offer
+from .seat import Seat
 from .serving import TYPES
 
 SEAT = "X-HexaLab-Seat"
@@ -47,18 +43,12 @@ Event = dict[str, Any]
 ``{"identified": {"question": number, "sha256": text}}``."""
 
 
-class Seat:
-    """One page's session, and what it is told."""
+class Listener(Seat):
+    """A page's session, and what it is told."""
 
     def __init__(self, offers: Mapping[str, Offer]) -> None:
-        self._door = Door(Session({name: offer.mesh for name, offer in offers.items()}))
-        self._lock = threading.Lock()
+        super().__init__(offers)
         self._news: SimpleQueue[Event] | None = None
-
-    def answer(self, question: Question) -> Packed:
-        """Answer one question after the other, from whatever threads they come."""
-        with self._lock:
-            return self._door.answer(question.method, question.text, question.blocks)
 
     def tell(self, event: Event) -> None:
         """Tell the page, if it listens."""
@@ -142,7 +132,7 @@ class Loopback(ThreadingHTTPServer):
         self.token = secrets.token_urlsafe(32)
         self._ticket = secrets.token_urlsafe(32)
         self._grace = grace
-        self._seats: dict[str, Seat] = {}
+        self._seats: dict[str, Listener] = {}
         self._lock = threading.Lock()
         self.address_family = socket.AF_INET6 if ":" in host else socket.AF_INET
         super().__init__((host, port), Handler)
@@ -202,7 +192,7 @@ class Loopback(ThreadingHTTPServer):
     def hello(self, seat: str) -> dict[str, Any]:
         """Seat a page, and say what it can open."""
         with self._lock:
-            self._seats[seat] = Seat(self.offers)
+            self._seats[seat] = Listener(self.offers)
         self.leave_later(seat)
         return {
             "version": __version__,
@@ -213,7 +203,7 @@ class Loopback(ThreadingHTTPServer):
             "opens": self.opens,
         }
 
-    def seat(self, name: str) -> Seat | None:
+    def seat(self, name: str) -> Listener | None:
         """A page's session, if it has one here."""
         with self._lock:
             return self._seats.get(name)
@@ -229,19 +219,6 @@ class Loopback(ThreadingHTTPServer):
             seat = self._seats.get(name)
             if seat is not None and seat.empty:
                 del self._seats[name]
-
-    def identify(self, seat: Seat, question: Question) -> None:
-        """Hash the file that was opened, beside other work, and tell the page."""
-        if question.method == "open_offered":
-            offer = self.offers.get(str(json.loads(question.text)[0]))
-            find: Callable[[], str] = offer.sha256 if offer else lambda: ""
-        else:
-            find = hashlib.sha256(question.blocks[0]).hexdigest if question.blocks else lambda: ""
-
-        def run() -> None:
-            seat.tell({"identified": {"question": question.id, "sha256": find()}})
-
-        threading.Thread(target=run, name="identifying", daemon=True).start()
 
 
 class Handler(BaseHTTPRequestHandler):
@@ -305,7 +282,7 @@ class Handler(BaseHTTPRequestHandler):
             return self._refuse(HTTPStatus.FORBIDDEN, "the token is missing, or another than this server's")
         self._answer(HTTPStatus.OK, TYPES[".json"], json.dumps(self.server.hello(seat)).encode())
 
-    def _ask(self, seat: Seat) -> None:
+    def _ask(self, seat: Listener) -> None:
         body = self._body()
         if body is None:
             return
@@ -313,9 +290,7 @@ class Handler(BaseHTTPRequestHandler):
             question = read_question(body)
         except HexaLabError as error:
             return self._refuse(HTTPStatus.BAD_REQUEST, str(error))
-        began = perf_counter()
-        packed = seat.answer(question)
-        milliseconds = 1000 * (perf_counter() - began)
+        packed, milliseconds = seat.answer(question)
         self._begin(HTTPStatus.OK, TYPES[""], packed.size, {"X-HexaLab-Milliseconds": f"{milliseconds:.3f}"})
         self.wfile.write(packed.head)
         at = 0
@@ -324,8 +299,9 @@ class Handler(BaseHTTPRequestHandler):
             self.wfile.write(array.reshape(-1).view("u1").data)
             at = offset + array.nbytes
         self.wfile.write(PADDING[: packed.size - len(packed.head) - at])
-        if question.method in ("open", "open_offered"):
-            self.server.identify(seat, question)
+        seat.identify(
+            question, lambda number, sha256: seat.tell({"identified": {"question": number, "sha256": sha256}})
+        )
 
     def _body(self) -> bytearray | None:
         """The request's body; None if there is none, which was refused."""
@@ -343,7 +319,7 @@ class Handler(BaseHTTPRequestHandler):
             at += got
         return body
 
-    def _events(self, name: str, seat: Seat) -> None:
+    def _events(self, name: str, seat: Listener) -> None:
         """Tell what happens, a line each, until the page leaves."""
         news = seat.listen()
         self.close_connection = True

@@ -14,6 +14,7 @@ import { Offered } from "./offered.js";
 import { Opening } from "./opening.js";
 import { rememberPreferences } from "./preferences.js";
 import { Progress } from "./progress.js";
+import { Shared } from "./shared.js";
 import { Saving } from "./saving.js";
 import { StartWatch } from "./start_watch.js";
 import { Steps } from "./steps.js";
@@ -140,6 +141,7 @@ export class App {
     this.steps.start();
     if (this.host.keeps) void this.lastFiles.start();
     this.offered?.start();
+    if (this.host.port) new Shared(this, this.host.port).start();
     if (!addressed) void scene.prepare();
   }
 

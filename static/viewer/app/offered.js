@@ -23,6 +23,9 @@ export class Offered {
     offers.addEventListener("offered", () => this.#take());
     offers.addEventListener("changed", (event) => void this.#again(id(event)));
     offers.addEventListener("gone", (event) => this.#tellGone(id(event)));
+    offers.addEventListener("slow", (event) =>
+      this.#tellSlow(/** @type {CustomEvent<{ slow: boolean }>} */ (event).detail.slow),
+    );
     offers.addEventListener("stopped", () => this.#tellStopped());
     if (offers.list.length) this.#take();
   }
@@ -83,6 +86,15 @@ export class Offered {
         topic: "watch",
       },
     );
+  }
+
+  /** @param {boolean} slow */
+  #tellSlow(slow) {
+    const { messages } = this.#app;
+    const words =
+      "The notebook's kernel does not answer: it is busy with a cell; or it is gone, then run the cell again";
+    if (slow) messages.say("warning", words, { topic: "kernel" });
+    else messages.settle("kernel");
   }
 
   #tellStopped() {

@@ -11,6 +11,7 @@
  * @property {import("../core/client.js").CoreClient} client
  * @property {Ahead} ahead
  * @property {import("./offers.js").Offers | null} offers meshes that the core has at hand
+ * @property {import("../core/kernel_transport.js").Port} [port] to a notebook's kernel, with which settings are shared
  */
 
 /**

@@ -2,7 +2,7 @@
  * Meshes that the core can open without their bytes being sent, and what is told of them.
  *
  * Events: "offered" when the list has come or changed; "changed" and "gone" ({id}) when a file was written anew or is there no
- * more; "stopped" when the core's program has ended.
+ * more; "slow" ({slow}) when an answer has been missing for long, and when it came; "stopped" when the core's program has ended.
  *
  * @typedef {{ id: string, name: string }} Offer
  */
@@ -25,6 +25,11 @@ export class Offers extends EventTarget {
   /** @param {"changed" | "gone"} what @param {string} id */
   tell(what, id) {
     this.dispatchEvent(new CustomEvent(what, { detail: { id } }));
+  }
+
+  /** @param {boolean} slow whether an answer is missing */
+  tellSlow(slow) {
+    this.dispatchEvent(new CustomEvent("slow", { detail: { slow } }));
   }
 
   tellStopped() {

@@ -77,7 +77,6 @@ def test_A2_a_verb_whose_package_is_missing_says_what_to_install(
         (["FILE", "-o", "p.png", "--status", "none.json"], "none.json: no such file"),
         (["FILE", "-o", "p.png", "--status", "FILE"], "not JSON"),
         (["FILE", "-o", "p.png", "--status", "list.json"], "expected a JSON object"),
-        (["FILE", "-o", "p.png", "--site", "none"], "build the site first"),
     ],
 )
 def test_A2_a_mistake_in_rendering_is_told_before_a_browser_starts(

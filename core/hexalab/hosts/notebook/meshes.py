@@ -1,0 +1,94 @@
+"""What `show` takes, as an offer: our mesh, a path, meshes of meshio and PyVista, arrays."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ...errors import HexaLabError
+from ...formats import read
+from ...mesh import Mesh
+from ...session import prepared
+from ..offers import FileOffer, Offer
+
+HEXAHEDRON = 8
+
+
+@dataclass(frozen=True)
+class MeshOffer:
+    """A mesh that is in memory already."""
+
+    given: Mesh
+    name: str
+
+    @cached_property
+    def _prepared(self) -> Mesh:
+        return prepared(self.given)
+
+    def mesh(self) -> Mesh:
+        """The mesh, `prepared`."""
+        return self._prepared
+
+    def sha256(self) -> str:
+        """It was read from no file."""
+        return ""
+
+
+def offer_of(thing: Any) -> Offer:
+    """Make whatever is to be shown a mesh at hand.
+
+    Parameters
+    ----------
+    thing : Mesh, path, meshio.Mesh, pyvista.UnstructuredGrid or (points, cells)
+        Of arrays: (V, 3) coordinates and (C, 8) vertices of hexahedra.
+
+    Raises
+    ------
+    HexaLabError
+        It is none of these, or its arrays fit no mesh.
+    MeshReadError
+        It is a file that can't be read.
+    """
+    if isinstance(thing, Mesh):
+        return MeshOffer(thing, thing.name or "mesh")
+    if isinstance(thing, str | os.PathLike):
+        offer = FileOffer(Path(thing), Path(thing).name)
+        offer.mesh()
+        return offer
+    maker = type(thing).__module__.split(".")[0]
+    if maker == "meshio" and hasattr(thing, "cells"):
+        return MeshOffer(_through_file(lambda path: thing.write(path, file_format="vtu")), "meshio mesh")
+    if maker == "pyvista" and hasattr(thing, "cast_to_unstructured_grid"):
+        grid = thing.cast_to_unstructured_grid()
+        return MeshOffer(_through_file(lambda path: grid.save(path, binary=True)), "PyVista mesh")
+    if isinstance(thing, tuple | list) and len(thing) == 2:
+        return MeshOffer(_of_arrays(*thing), "mesh")
+    raise HexaLabError(
+        f"found {type(thing).__module__}.{type(thing).__qualname__}, expected a Mesh, a path, a mesh of meshio or "
+        "PyVista, or arrays (points, cells)"
+    )
+
+
+def _through_file(write: Any) -> Mesh:
+    """Another library's mesh by way of a file: all kinds of cells and all attributes come along as in any file."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = str(Path(folder) / "mesh.vtu")
+        write(path)
+        return read(path)
+
+
+def _of_arrays(points: Any, cells: Any) -> Mesh:
+    points, cells = np.asarray(points), np.asarray(cells)
+    if points.ndim != 2 or points.shape[1] != 3:
+        raise HexaLabError(f"points: found an array of shape {points.shape}, expected (V, 3)")
+    if cells.ndim != 2 or cells.shape[1] != HEXAHEDRON:
+        raise HexaLabError(f"cells: found an array of shape {cells.shape}, expected (C, 8)")
+    if not np.issubdtype(cells.dtype, np.integer):
+        raise HexaLabError(f"cells: found numbers of type {cells.dtype}, expected integers")
+    return Mesh.from_cells(points, cells)

@@ -1,0 +1,54 @@
+"""One viewer's session, asked from whatever threads its questions come."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import threading
+from collections.abc import Callable, Mapping
+from time import perf_counter
+
+from ..packing import Packed
+from ..session import Session
+from ..session.door import Door
+from .frames import Question
+from .offers import Offer
+
+Identify = Callable[[int, str], None]
+"""Called with a question's number and the SHA-256 of the file that it opened, "" where there is none."""
+
+OPENING = ("open", "open_offered")
+
+
+class Seat:
+    """A session for one page.
+
+    Parameters
+    ----------
+    offers : mapping of str to Offer
+        What the page may open without sending it.
+    """
+
+    def __init__(self, offers: Mapping[str, Offer]) -> None:
+        self._offers = offers
+        self._door = Door(Session({name: offer.mesh for name, offer in offers.items()}))
+        self._lock = threading.Lock()
+
+    def answer(self, question: Question) -> tuple[Packed, float]:
+        """Answer one question after the other; gives the milliseconds that it took, too."""
+        with self._lock:
+            began = perf_counter()
+            packed = self._door.answer(question.method, question.text, question.blocks)
+            return packed, 1000 * (perf_counter() - began)
+
+    def identify(self, question: Question, tell: Identify) -> None:
+        """Hash the file that a question has opened, if it has, beside other work."""
+        if question.method in OPENING:
+            run = threading.Thread(target=lambda: tell(question.id, self._sha256(question)), daemon=True)
+            run.start()
+
+    def _sha256(self, question: Question) -> str:
+        if question.method == "open_offered":
+            offer = self._offers.get(str(json.loads(question.text)[0]))
+            return offer.sha256() if offer else ""
+        return hashlib.sha256(question.blocks[0]).hexdigest() if question.blocks else ""
