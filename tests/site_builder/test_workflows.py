@@ -21,6 +21,14 @@ def triggers(workflow):
     return workflow[True]
 
 
+WRITES = {
+    "pages.deploy": {"pages", "id-token"},
+    "release.publish": {"id-token"},
+    "release.attach": {"contents"},
+}
+"""What jobs may write; all others nothing."""
+
+
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
 def test_C6_actions_are_pinned_by_commit(file):
     used = [step["uses"] for step in steps(yaml.safe_load(file.read_text("utf-8"))) if "uses" in step]
@@ -36,7 +44,7 @@ def test_C6_the_token_can_read_alone_and_is_not_left_behind(file):
     for name, job in workflow["jobs"].items():
         assert job["timeout-minutes"] <= 120
         writes = {key for key, value in job.get("permissions", {}).items() if value == "write"}
-        assert writes <= ({"pages", "id-token"} if name == "deploy" else set())
+        assert writes == WRITES.get(f"{file.stem}.{name}", set())
         assert not (writes and any("run" in step for step in job["steps"])), (
             "only actions may hold such a token"
         )
@@ -101,3 +109,14 @@ def test_C6_hypothesis_repeats_itself_on_a_pull_request_and_draws_anew_at_night(
     recipe = (ROOT / "Makefile").read_text("utf-8").split("\nnightly:")[1].split("\n\n")[0]
     assert "--hypothesis-profile=nightly" in recipe
     assert '-m "nightly or hypothesis"' in recipe
+
+
+def test_A4_a_release_is_tested_and_published_without_a_token_that_is_kept():
+    workflow = yaml.safe_load((FOLDER / "release.yml").read_text("utf-8"))
+    assert triggers(workflow) == {"push": {"tags": ["v*.*.*"]}}
+    build, publish, attach = (workflow["jobs"][name] for name in ("build", "publish", "attach"))
+    runs = [step["run"] for step in build["steps"] if "run" in step]
+    assert "make lint test" in runs and "make wheel" in runs[-1]
+    assert (publish["needs"], attach["needs"]) == ("build", "publish")
+    (upload,) = [step for step in publish["steps"] if "pypi-publish" in step["uses"]]
+    assert "with" not in upload and "secrets." not in (FOLDER / "release.yml").read_text("utf-8")

@@ -70,9 +70,20 @@ def run(arguments: Namespace) -> int:
         )
     except OSError as error:
         raise taken(arguments.port, error) from None
-    with server, ExitStack() as closing:
+    try:
+        with server:
+            show(server, arguments)
+    except KeyboardInterrupt:
+        print()
+    return 0
+
+
+def show(server: Loopback, arguments: Namespace) -> None:
+    """Serve, say where, open the browser, and wait: until interrupted."""
+    with ExitStack() as closing:
         if arguments.watch:
-            watch = Watch({name: offer.path for name, offer in offers.items()}, server.tell_of)
+            files = dict(zip(server.offers, arguments.files, strict=True))
+            watch = Watch(files, server.tell_of)
             closing.callback(watch.close)
         serving = server.start()
         closing.callback(server.shutdown)
@@ -80,14 +91,10 @@ def run(arguments: Namespace) -> int:
         if "SSH_CONNECTION" in os.environ:
             print(f"From your own machine: {tunnel(server.port, server.shown_host)}", flush=True)
         print("Ctrl-C ends it.", flush=True)
-        try:
-            if arguments.browser and has_screen() and not open_page(server.once):
-                print("hexalab: no browser could be opened: open the address yourself", file=sys.stderr)
-            while serving.is_alive():
-                serving.join(1)
-        except KeyboardInterrupt:
-            print()
-    return 0
+        if arguments.browser and has_screen() and not open_page(server.once):
+            print("hexalab: no browser could be opened: open the address yourself", file=sys.stderr)
+        while serving.is_alive():
+            serving.join(1)
 
 
 def tunnel(port: int, host: str) -> str:

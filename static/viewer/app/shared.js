@@ -19,6 +19,8 @@ export class Shared {
   #telling;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #taking;
+  /** Whether it was looked what is picked. */
+  #picked = false;
   /** What both know, as text. */
   #known = "";
 
@@ -31,11 +33,21 @@ export class Shared {
   start() {
     const { store, facts } = this.#app;
     store.on("*", () => this.#changed());
-    facts.on("shown", () => this.#changed());
+    facts.on("shown", () => {
+      this.#pickFirst();
+      this.#changed();
+    });
     facts.on("cell", (cell) => this.#port.set("picked", cell ? [cell.cell] : []));
     this.#port.follow("status", (status) => void this.#apply(status));
     this.#port.follow("picked", (picked) => this.#pick(picked));
     this.#port.on("screenshot", (question) => void this.#give(question));
+  }
+
+  /** What was picked before the mesh was there. */
+  #pickFirst() {
+    if (this.#picked || !this.#app.facts.get("shown")) return;
+    this.#picked = true;
+    this.#pick(this.#port.get("picked"));
   }
 
   #changed() {

@@ -12,6 +12,7 @@ import { framed } from "./frame.js";
  * @typedef {object} Port  the widget's end, which stands in the notebook's page
  * @property {(message: Message, bytes?: ArrayBuffer) => void} send to the kernel, in pieces
  * @property {(kind: string, hear: (message: any, block: ArrayBuffer | null) => void) => void} on what the kernel sends
+ * @property {(name: string) => any} get a value that widget and kernel share
  * @property {(name: string, value: unknown) => void} set a value that widget and kernel share
  * @property {(name: string, changed: (value: any) => void) => void} follow such a value
  */

@@ -7,6 +7,7 @@
  * @typedef {object} WidgetPort
  * @property {(message: Record<string, unknown> & { kind: string }, bytes?: ArrayBuffer) => void} send
  * @property {(kind: string, hear: Hear) => void} on
+ * @property {(name: string) => any} get
  * @property {(name: string, value: unknown) => void} set
  * @property {(name: string, changed: (value: any) => void) => void} follow
  * @property {() => void} close
@@ -43,6 +44,7 @@ export function portOf(model) {
       }
     },
     on: (kind, listener) => heard.set(kind, listener),
+    get: (name) => model.get(name),
     set(name, value) {
       model.set(name, value);
       model.save_changes();

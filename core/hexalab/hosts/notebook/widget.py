@@ -12,6 +12,7 @@ import traitlets
 
 from ... import __version__
 from ...errors import HexaLabError
+from ...status import merge
 from ..built import FRAME, NOTEBOOK, SCRIPT, built_viewer
 from ..frames import read_question
 from ..offers import Offer
@@ -65,6 +66,11 @@ class View(anywidget.AnyWidget):
         self._handle: Any = None
         super().__init__(status=self._first, height=height)
         self.on_msg(self._hear)
+
+    @traitlets.validate("status")
+    def _laid_over(self, proposal: Any) -> Settings:
+        """A part that is set is laid over what is there: the page may not have said yet what all settings are."""
+        return merge(self.status, proposal["value"])
 
     # -- for whoever has it
 
