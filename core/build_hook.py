@@ -1,6 +1,6 @@
-"""Puts the built viewer into the wheel and into the sdist (hatchling calls it).
+"""Puts what was built, viewer and catalogue, into the wheel and into the sdist (hatchling calls it).
 
-An sdist carries the viewer as it was built, so that whoever makes a wheel of it needs no Node.
+An sdist carries both as they were built, so that whoever makes a wheel of it needs no Node.
 """
 
 from __future__ import annotations
@@ -10,10 +10,13 @@ from typing import Any
 
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
-VIEWER = "build/viewer"
-"""Where the viewer lies once it is built, in the clone and in the sdist."""
+VIEWER, CATALOGUE = "build/viewer", "build/catalogue.json"
+"""Where viewer and catalogue lie once they are built, in the clone and in the sdist."""
 
-PACKAGED = {"wheel": "hexalab/viewer", "sdist": VIEWER}
+PACKAGED = {
+    "wheel": {VIEWER: "hexalab/viewer", CATALOGUE: "hexalab/catalogue.json"},
+    "sdist": {VIEWER: VIEWER, CATALOGUE: CATALOGUE},
+}
 
 
 class BuildHook(BuildHookInterface):  # type: ignore[type-arg]
@@ -26,4 +29,5 @@ class BuildHook(BuildHookInterface):  # type: ignore[type-arg]
         viewer = Path(self.root) / VIEWER
         if not (viewer / "index.html").is_file():
             raise FileNotFoundError(f"{viewer} holds no built viewer: `make wheel` builds it, with Node")
-        build_data["force_include"][str(viewer)] = PACKAGED[self.target_name]
+        for built, place in PACKAGED[self.target_name].items():
+            build_data["force_include"][str(Path(self.root) / built)] = place

@@ -20,6 +20,7 @@ from .model.problems import disagreements, problem_of
 from .output import Output
 from .pages import indexes, interface
 from .pages.assets import assets
+from .pages.library import library_json
 from .pages.pages import Pages
 from .pages.viewer_page import viewer_page
 from .pages.words import file_size
@@ -245,6 +246,7 @@ def _add_static(output: Output) -> None:
 
 def _add_indexes(catalogue: Catalogue, output: Output, pages: list[str], pictures: set[str]) -> None:
     output.write("index.json", indexes.index_json(catalogue))
+    output.write("library.json", library_json(catalogue))
     output.write("search.json", indexes.search_json(catalogue, pictures))
     output.write("datasets/index.json", indexes.original_index(catalogue))
     output.write("sitemap.xml", indexes.sitemap(catalogue, pages))

@@ -99,4 +99,4 @@ def show(mesh: Any, status: dict[str, Any] | None = None, *, height: int = 520) 
         notebook = import_module("hexalab.hosts.notebook")
     except ModuleNotFoundError as error:
         raise ImportError(f"show needs the package {error.name}: pip install 'hexalab[notebook]'") from None
-    return notebook.show(mesh, status, height=height)
+    return notebook.View(notebook.offer_of(mesh), status, height)

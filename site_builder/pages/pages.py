@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
 from hexalab.quality import METRICS
@@ -20,6 +18,7 @@ from ..model.names import on_this_machine
 from ..pictures.collection import Collection
 from . import interface, metadata, words
 from .assets import assets
+from .environment import environment
 from .facets import FACETS, counts
 from .histogram import draw
 from .indexes import INDEX_VERSION
@@ -59,14 +58,7 @@ class Pages:
         self._pictures = pictures
         self._collection = collection or Collection(catalogue)
         self._citations: dict[str, dict[str, Markup]] = {}
-        self._environment = Environment(
-            loader=FileSystemLoader(Path(__file__).parent / "templates"),
-            autoescape=True,
-            undefined=StrictUndefined,
-            trim_blocks=True,
-            lstrip_blocks=True,
-            keep_trailing_newline=True,
-        )
+        self._environment = environment()
         self._environment.filters.update(
             count=words.count, number=words.number, file_size=words.file_size, dictsort=sorted_items
         )

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Literal
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
+from .environment import environment
 from .viewer_tables import viewer_tables
 
 Host = Literal["site", "server", "frame"]
@@ -68,27 +67,23 @@ def viewer_page(
     worker, runtime : str
         Addresses of the core's worker and of the interpreter's folder, where the page has them.
     """
-    environment = Environment(
-        loader=FileSystemLoader(Path(__file__).parent / "templates"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-    )
     if "</style" in style_text:
         raise ValueError("a style sheet that ends its own element can't be put into a page")
-    return environment.get_template("viewer.html.jinja").render(
-        host=host,
-        policy=Markup(POLICIES[host] + COMMON + ("" if host == "frame" else TRUSTED)),
-        root=root,
-        style=style,
-        style_text=Markup(style_text),
-        favicon=icon,
-        start=start,
-        script=script,
-        imports=imports,
-        worker=worker,
-        runtime=runtime,
-        tables=viewer_tables(),
+    return (
+        environment()
+        .get_template("viewer.html.jinja")
+        .render(
+            host=host,
+            policy=Markup(POLICIES[host] + COMMON + ("" if host == "frame" else TRUSTED)),
+            root=root,
+            style=style,
+            style_text=Markup(style_text),
+            favicon=icon,
+            start=start,
+            script=script,
+            imports=imports,
+            worker=worker,
+            runtime=runtime,
+            tables=viewer_tables(),
+        )
     )

@@ -4,18 +4,27 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from ..pages.library import library_json
+from ..reading.repository import read_repository
 from .archives import packed, unpacked
 from .viewer_folder import write_viewer
 
-NOT_FOR_BROWSERS = (r"^hexalab/(cli|hosts|viewer)/", r"\.dist-info/(licenses/|entry_points\.txt$)")
+NOT_FOR_BROWSERS = (
+    r"^hexalab/(cli|hosts|viewer)/",
+    r"^hexalab/catalogue\.(py|json)$",
+    r"\.dist-info/(licenses/|entry_points\.txt$)",
+)
 """Files of the wheel that a browser's Python has no use for, as regular expressions."""
 
 VIEWER = "build/viewer"
 """Where `core/build_hook.py` looks for the built viewer."""
 
+CATALOGUE = "build/catalogue.json"
+"""Where it looks for the catalogue's list."""
+
 
 def distribution(root: Path, out: Path, kind: str = "wheel") -> Path:
-    """Build the distribution, the viewer in it.
+    """Build the distribution, viewer and catalogue in it.
 
     Parameters
     ----------
@@ -39,6 +48,7 @@ def distribution(root: Path, out: Path, kind: str = "wheel") -> Path:
     from hatchling.builders.wheel import WheelBuilder
 
     write_viewer(root, root / VIEWER)
+    (root / CATALOGUE).write_bytes(library_json(read_repository(root / "repository")).encode())
     out.mkdir(parents=True, exist_ok=True)
     builder = {"wheel": WheelBuilder, "sdist": SdistBuilder}[kind](str(root))
     (file,) = builder.build(directory=str(out), versions=["standard"])

@@ -17,7 +17,6 @@ from ..built import FRAME, NOTEBOOK, SCRIPT, built_viewer
 from ..frames import read_question
 from ..offers import Offer
 from ..seat import Seat
-from .meshes import offer_of
 from .pieces import Pieces
 from .still import still
 
@@ -34,7 +33,7 @@ Settings = dict[str, Any]
 
 
 class View(anywidget.AnyWidget):
-    """A mesh in the viewer, in a notebook's cell. `show` makes one.
+    """A mesh in the viewer, in a notebook's cell. `hexalab.show` makes one.
 
     Attributes
     ----------
@@ -235,30 +234,3 @@ class View(anywidget.AnyWidget):
         view = str(message["view"])
         self._pieces.forget(view)
         self._seats.pop(view, None)
-
-
-def show(mesh: Any, status: Settings | None = None, *, height: int = HEIGHT) -> View:
-    """Show a mesh in a notebook: in Jupyter, VS Code, Colab, marimo.
-
-    Parameters
-    ----------
-    mesh : Mesh, path, meshio.Mesh, pyvista.UnstructuredGrid or (points, cells)
-        Of arrays: (V, 3) coordinates and (C, 8) vertices of hexahedra.
-    status : dict, optional
-        Settings, whole or in part.
-    height : int
-        Of the view, in pixels.
-
-    Returns
-    -------
-    View
-        The widget: `view.status`, `view.picked`, `view.screenshot()`.
-
-    Raises
-    ------
-    HexaLabError
-        It can't be shown; says what was found and what is taken.
-    MeshReadError
-        It is a file that can't be read.
-    """
-    return View(offer_of(mesh), status, height)
