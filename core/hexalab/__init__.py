@@ -96,7 +96,7 @@ def show(mesh: Any, status: dict[str, Any] | None = None, *, height: int = 520) 
         The widget's packages are not installed: ``pip install 'hexalab[notebook]'``.
     """
     try:
-        notebook = import_module("hexalab.hosts.notebook")
+        view = import_module("hexalab.hosts.notebook.widget").View
     except ModuleNotFoundError as error:
         raise ImportError(f"show needs the package {error.name}: pip install 'hexalab[notebook]'") from None
-    return notebook.View(notebook.offer_of(mesh), status, height)
+    return view(import_module("hexalab.hosts.notebook.meshes").offer_of(mesh), status, height)

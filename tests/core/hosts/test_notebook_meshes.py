@@ -15,8 +15,6 @@ from hexalab.hosts.notebook.pieces import Pieces
 from hexalab.hosts.notebook.still import still
 
 pytestmark = pytest.mark.skipif(sys.platform == "emscripten", reason="hosts run natively")
-pytest.importorskip("anywidget")
-
 POINTS = np.array([(x, y, z) for x in (0, 1, 2) for y in (0, 1) for z in (0, 1)], dtype=float)
 CELLS = np.array([[0, 4, 6, 2, 1, 5, 7, 3], [4, 8, 10, 6, 5, 9, 11, 7]])
 
