@@ -4,7 +4,7 @@ import { readZip } from "../files/zip.js";
 /**
  * `window.hexalab`: the viewer for scripts, tests and embedding pages (SPEC A3).
  *
- * In an iframe the methods but `restart` answer `postMessage`: send `{hexalab: "open", id: 1, args: [url]}` to the frame, and
+ * In an iframe the methods of `METHODS` answer `postMessage`: send `{hexalab: "open", id: 1, args: [url]}` to the frame, and
  * `{hexalab: "open", id: 1, result}` or `{hexalab: "open", id: 1, error}` comes back, answers in the order of questions. When the viewer is ready it
  * posts `{hexalab: "ready"}` to its parent.
  *
@@ -186,8 +186,6 @@ export class HexaLab {
 /** @type {readonly (keyof HexaLab)[]} */
 const METHODS = [
   "open",
-  "offers",
-  "openOffered",
   "summary",
   "getStatus",
   "setStatus",
