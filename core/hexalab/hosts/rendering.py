@@ -8,6 +8,7 @@
 from __future__ import annotations
 
 import base64
+from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
@@ -140,7 +141,7 @@ class Portrait:
     files: dict[str, bytes]
 
 
-class Viewer:
+class Viewer(ABC):
     """The viewer in a headless browser, wherever its page comes from."""
 
     def __init__(self) -> None:
@@ -174,9 +175,9 @@ class Viewer:
         assert self._page is not None, "use it in a with block"
         return self._page
 
+    @abstractmethod
     def address(self, started: ExitStack) -> str:
         """Serve the viewer as long as `started` is open; gives its page's address."""
-        raise NotImplementedError
 
     def show_named(self, name: str, offered: str = "", status: dict[str, Any] | None = None) -> Shown:
         """Open a mesh in the viewer and wait until its light has converged.

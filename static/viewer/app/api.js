@@ -141,7 +141,7 @@ export class HexaLab {
    * @param {Blob} archive a zip of meshes; `name.json` beside a mesh is its own status
    * @param {unknown} [status] whole or partial, for all others; the present one without
    * @param {{ width?: number, height?: number, figures?: boolean, report?: (done: number, of: number, name: string, failed: number) => void }} [options]
-   * @returns {Promise<Blob>} a zip of pictures, histograms and measurements.csv
+   * @returns {Promise<Blob>} a zip of pictures, histograms, measurements.csv and measurements.json
    */
   async batch(archive, status, options = {}) {
     const { zip } = await this.#app.batch.run(readZip(await archive.arrayBuffer()), { ...options, status });
