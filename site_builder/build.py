@@ -260,9 +260,10 @@ def _add_indexes(catalogue: Catalogue, output: Output, pages: list[str], picture
 def _add_viewer(output: Output) -> int:
     """Put the viewer into the site; give the bytes that a first visit brings over the wire."""
     try:
-        from .runtime import MOST, assemble, first_visit, gzipped
+        from .runtime import MOST, SHEET, assemble, first_visit, gzipped, sheet
 
         report = assemble(output.root)
+        output.write(f"viewer/{SHEET}", sheet(ROOT))
     except (ImportError, RuntimeError, OSError) as error:
         message = f"the viewer can't be put together: {error}; `make build` installs what it needs"
         raise BuildError([Problem("error", "site_builder/runtime", 0, "", message)]) from error

@@ -17,6 +17,7 @@ from .errors import HexaLabError, MeshReadError, MeshWriteError
 from .formats import FORMATS, WRITERS, write
 from .mesh import Mesh
 from .quality import METRICS, Metric, Validity, certify, histogram, quality, quality_many, statistics
+from .selection import select_cells
 from .summary import summarise
 
 __version__ = "1.0.0"
@@ -39,6 +40,7 @@ __all__ = [
     "quality",
     "quality_many",
     "read",
+    "select_cells",
     "show",
     "statistics",
     "summarise",

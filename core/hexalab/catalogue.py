@@ -166,6 +166,15 @@ def cite(mesh: str, style: str = "text") -> str:
     return citations[style]
 
 
+def identified(sha256: str) -> tuple[Source, Entry] | None:
+    """Return the mesh whose file has this SHA-256, in hexadecimal, and its source; None if there is none."""
+    for source in sources():
+        for entry in source.meshes:
+            if sha256 and entry.sha256 == sha256:
+                return source, entry
+    return None
+
+
 def _source(slug: str) -> Source:
     for source in sources():
         if source.slug == slug:

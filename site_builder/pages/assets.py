@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from .styles import style_sheets
+from .styles import INLINE, style_sheets
 
 STATIC = Path(__file__).resolve().parents[2] / "static"
 SHARED = ("catalogue", "offline")
@@ -39,7 +39,7 @@ class Assets:
 @cache
 def assets() -> Assets:
     """Read `static/` once."""
-    sheets = {name: sheet.encode() for name, sheet in style_sheets().items()}
+    sheets = {name: sheet.encode() for name, sheet in style_sheets().items() if name not in INLINE}
     styles = {name: f"styles/{name}-{_hash(sheet)}.css" for name, sheet in sheets.items()}
     names = [path for folder in SHARED for path in sorted((STATIC / folder).glob("*.js"))]
     scripts = {path.relative_to(STATIC).as_posix(): path.read_bytes() for path in names}

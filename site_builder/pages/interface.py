@@ -24,7 +24,7 @@ GROUPS = (
         "Reading and writing",
         ("read", "write", "FORMATS", "WRITERS", "MeshReadError", "MeshWriteError", "HexaLabError"),
     ),
-    ("The mesh", ("Mesh", "KINDS", "summarise")),
+    ("The mesh", ("Mesh", "KINDS", "select_cells", "summarise")),
     ("Quality", ("quality", "quality_many", "METRICS", "Metric", "statistics", "histogram")),
     ("Validity and diagnosis", ("certify", "Validity", "diagnose", "Finding")),
     ("In a notebook", ("show",)),

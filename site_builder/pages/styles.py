@@ -26,10 +26,15 @@ SHEETS = {
         "viewer/widgets/icon", "viewer/widgets/swatch", "viewer/widgets/table",
         "viewer/panels/mesh", "viewer/panels/catalogue", "viewer/panels/findings", "viewer/panels/structure",
         "viewer/panels/histogram", "viewer/panels/quality", "viewer/panels/inspector",
-        "viewer/dialogs/dialog", "viewer/dialogs/figure", "viewer/dialogs/status_editor", "viewer/dialogs/help",
+        "viewer/dialogs/dialog", "viewer/dialogs/save", "viewer/dialogs/figure", "viewer/dialogs/status_editor",
+        "viewer/dialogs/help",
     ),
+    "standalone": ("tokens", "base", "standalone/sheet"),
 }  # fmt: skip
 """The parts of each sheet, in their order: of two rules that weigh the same, the later holds."""
+
+INLINE = ("standalone",)
+"""Sheets that no page links: they stand inside."""
 
 
 def style_sheets(folder: Path = STYLES, sheets: dict[str, tuple[str, ...]] = SHEETS) -> dict[str, str]:

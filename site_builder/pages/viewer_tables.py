@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import Any, TypedDict
 
 from hexalab import __version__
-from hexalab.formats import FORMATS
+from hexalab.formats import FORMATS, WRITERS
 from hexalab.quality import METRICS
 from hexalab.session import DESCRIBED
 from hexalab.status import CORE_PATHS, DEFAULTS, SCHEMA
@@ -37,6 +37,14 @@ class FormatEntry(TypedDict):
     extensions: list[str]
 
 
+class WriterEntry(TypedDict):
+    """What the viewer knows of a format that meshes are written in; the extension starts with a dot."""
+
+    id: str
+    name: str
+    extension: str
+
+
 class ViewerTables(TypedDict):
     """What the page carries of the core's tables, in the core's order.
 
@@ -54,6 +62,7 @@ class ViewerTables(TypedDict):
     statistics: tuple[str, ...]
     metrics: list[MetricEntry]
     formats: list[FormatEntry]
+    writers: list[WriterEntry]
 
 
 def viewer_tables() -> ViewerTables:
@@ -84,6 +93,7 @@ def viewer_tables() -> ViewerTables:
             for metric in METRICS.values()
         ],
         "formats": [{"id": one.id, "name": one.name, "extensions": list(one.extensions)} for one in FORMATS],
+        "writers": [{"id": one.id, "name": one.name, "extension": one.extension} for one in WRITERS],
     }
 
 

@@ -67,3 +67,18 @@ def bundle(root: Path, out: Path) -> dict[str, Bundle]:
         for path, entry in outputs.items()
         if entry.get("entryPoint") in names
     }
+
+
+def bundled(root: Path, entry: str) -> str:
+    """One script with all that it imports.
+
+    Raises
+    ------
+    RuntimeError
+        If bundling fails.
+    """
+    command = [str(root / "node_modules" / ".bin" / "esbuild"), str(root / entry), *COMMAND]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=root)
+    if done.returncode:
+        raise RuntimeError(f"bundling the viewer failed:\n{done.stderr.strip()}")
+    return done.stdout

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import subprocess
 from pathlib import Path
 
 from ..output import Output
 from ..pages.styles import style_sheets
 from ..pages.viewer_page import viewer_page
-from .bundle import COMMAND
+from .bundle import bundled
+from .sheet import SHEET, sheet
 
 SCRIPT, STYLE, ICON, NOTEBOOK = "viewer.js", "viewer.css", "icon.svg", "notebook.js"
 
@@ -32,9 +32,10 @@ def write_viewer(root: Path, out: Path) -> None:
     files = {
         "index.html": viewer_page("server", style=STYLE, script=SCRIPT, icon=ICON),
         "frame.html": viewer_page("frame", style_text=style),
-        SCRIPT: _bundled(root, "static/viewer/main.js"),
-        NOTEBOOK: _bundled(root, "static/viewer/notebook/widget.js"),
+        SCRIPT: bundled(root, "static/viewer/main.js"),
+        NOTEBOOK: bundled(root, "static/viewer/notebook/widget.js"),
         STYLE: style,
+        SHEET: sheet(root),
         ICON: (root / "static" / "icon.svg").read_text("utf-8"),
     }
     output = Output(out)
@@ -43,12 +44,3 @@ def write_viewer(root: Path, out: Path) -> None:
     for file in out.iterdir():
         if file.name not in files:
             file.unlink()
-
-
-def _bundled(root: Path, entry: str) -> str:
-    """A script with all that it imports."""
-    command = [str(root / "node_modules" / ".bin" / "esbuild"), str(root / entry), *COMMAND]
-    done = subprocess.run(command, capture_output=True, text=True, cwd=root)
-    if done.returncode:
-        raise RuntimeError(f"bundling the viewer failed:\n{done.stderr.strip()}")
-    return done.stdout

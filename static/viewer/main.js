@@ -8,6 +8,7 @@ import { Tools } from "./input/tools.js";
 import { soon } from "./core/soon.js";
 import { Page } from "./page/page.js";
 import { BlankScene } from "./page/blank_scene.js";
+import { Lighting } from "./lighting/lighting.js";
 import { Scene } from "./scene/scene.js";
 import { Facts } from "./state/facts.js";
 import { statusFromHash } from "./state/link.js";
@@ -54,10 +55,15 @@ function buildPage() {
   listenToLaunches(app);
 }
 
+/** @type {import("./lighting/lighting.js").MakeLighting} */
+function makeLighting(renderer, layer) {
+  return new Lighting(renderer, layer);
+}
+
 /** @returns {{ scene: import("./scene/scene_like.js").SceneLike, lack: string }} one that draws nothing where the browser lacks WebGL 2 */
 function makeScene() {
   try {
-    return { scene: new Scene(canvas, store.status.camera, idle), lack: "" };
+    return { scene: new Scene(canvas, store.status.camera, makeLighting, idle), lack: "" };
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);
     return {

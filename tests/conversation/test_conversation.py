@@ -13,6 +13,7 @@ import pytest
 from playwright.sync_api import Browser
 
 from benchmarks.page import SITE, serve
+from hexalab.formats import read_bytes
 from hexalab.quality import METRICS
 from hexalab.quality.sizes import NEEDS as SIZED
 from hexalab.session.door import METHODS
@@ -101,6 +102,12 @@ def test_A1_a_whole_conversation(ask: Ask, said: set[str], attributed: bytes, tw
     with pytest.raises(Refused, match="no metric and no attribute 'cell:none'"):
         say("update", {"colour": {"attribute": "cell:none"}})
     assert say("update", {"colour": {"by": "sides"}})["shown_cells"] == 4
+
+    saved = say("save_cells", "vtk", ["volume"], ["cell:load"])
+    part = read_bytes(saved["data"].tobytes(), "part.vtk")
+    assert (saved["cells"], part.cell_count, saved["notes"]) == (4, 4, [])
+    assert part.cell_data["load"].tolist() == part.cell_data["original_cell"].tolist() == [1, 2, 4, 5]
+    assert part.cell_data["volume"].tolist() == [1, 1, 1, 1]
 
     numbers = say("quality", "cell:load")
     assert (numbers["min"], numbers["max"], numbers["mean"], numbers["best_value"]) == (0, 5, 2.5, None)

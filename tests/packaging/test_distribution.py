@@ -109,7 +109,9 @@ def test_A4_the_wheel_holds_package_and_viewer_and_needs_numpy_alone(built: dict
         )
     assert {name.split("/")[0] for name in names} == {"hexalab", f"hexalab-{metadata['Version']}.dist-info"}
     viewer = {name.removeprefix("hexalab/viewer/") for name in names if name.startswith("hexalab/viewer/")}
-    assert viewer == {"index.html", "frame.html", "viewer.js", "notebook.js", "viewer.css", "icon.svg"}
+    assert viewer == {
+        "index.html", "frame.html", "sheet.txt", "viewer.js", "notebook.js", "viewer.css", "icon.svg",
+    }  # fmt: skip
     assert not [name for name in names if name.endswith((".map", ".wasm", ".whl")) or "pyodide" in name]
     needed = metadata.get_all("Requires-Dist") or []
     assert [one for one in needed if "extra ==" not in one] == ["numpy<3,>=2.2"]

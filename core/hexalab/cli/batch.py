@@ -70,6 +70,8 @@ def run(arguments: Namespace) -> int:
             for outcome in shown(coming, len(jobs), len(outcomes)):
                 outcomes[outcome["stem"]] = outcome
     except KeyboardInterrupt:
+        done = {job.stem: kept(job) for job in left if job.stem not in outcomes}
+        outcomes |= {stem: outcome for stem, outcome in done.items() if outcome is not None}
         results.write_tables(jobs, outcomes)
         told = f"{len(outcomes)} of {len(jobs)} meshes are done and lie in {results.folder}; --resume goes on"
         print(f"\nhexalab: interrupted: {told}", file=sys.stderr)

@@ -23,6 +23,7 @@ __all__ = [
     "WRITERS",
     "Format",
     "Writer",
+    "left_behind",
     "read",
     "read_bytes",
     "write",

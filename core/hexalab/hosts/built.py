@@ -11,7 +11,8 @@ PACKAGE = Path(__file__).resolve().parents[1]
 PLACES = (PACKAGE / "viewer", PACKAGE.parents[1] / "build" / "viewer")
 """In the wheel, and in a clone, where `make wheel` and `make build` put it."""
 
-PAGE, FRAME, SCRIPT, NOTEBOOK = "index.html", "frame.html", "viewer.js", "notebook.js"
+PAGE, FRAME, SHEET = "index.html", "frame.html", "sheet.txt"
+SCRIPT, NOTEBOOK = "viewer.js", "notebook.js"
 
 
 def built_viewer() -> Path:

@@ -268,7 +268,7 @@ class Renderer(Viewer):
             The mesh can't be read, or the browser gave up.
         """
         size = {"width": width, "height": height, "transparent": transparent}
-        with self._shown(mesh, status) as shown:
+        with self.shown(mesh, status) as shown:
             return Rendering(self.picture(mesh.name, "", size), **shown)
 
     def figure(
@@ -297,7 +297,7 @@ class Renderer(Viewer):
             The mesh can't be read, the figure leaves no room for its pictures, or the browser gave up.
         """
         size = {"width": width, "height": height} if width and height else None
-        with self._shown(mesh, status) as shown:
+        with self.shown(mesh, status) as shown:
             return Rendering(self.picture(mesh.name, format, size), **shown)
 
     def portray(
@@ -341,7 +341,8 @@ class Renderer(Viewer):
         return Portrait(answer["measured"], answer["line"], files)
 
     @contextmanager
-    def _shown(self, mesh: Offer, status: dict[str, Any] | None) -> Iterator[Shown]:
+    def shown(self, mesh: Offer, status: dict[str, Any] | None = None) -> Iterator[Shown]:
+        """Hold a mesh open in the viewer, its light converged; errors as for `show_named`."""
         with self._on_easel(mesh):
             yield self.show_named(mesh.name, EASEL, status)
 

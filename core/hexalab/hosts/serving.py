@@ -20,6 +20,7 @@ TYPES = {
     ".webmanifest": "application/manifest+json",
     ".whl": "application/octet-stream",
     ".gz": "application/gzip",
+    ".txt": "text/plain; charset=utf-8",
     ".bib": "text/plain; charset=utf-8",
     ".ris": "application/x-research-info-systems",
     ".map": "application/json",

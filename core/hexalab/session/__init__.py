@@ -11,7 +11,7 @@ opened, which starts with their defaults.
 from __future__ import annotations
 
 import gc
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from time import perf_counter
 from typing import Any
@@ -26,7 +26,7 @@ from ..errors import HexaLabError
 from ..formats import read_bytes
 from ..mesh import Mesh
 from ..packing import jsonable, pack
-from . import inspection, known, measuring
+from . import inspection, known, measuring, shown_cells
 from .opened import DESCRIBED, Opened
 from .picture import Picture, quantity_of
 
@@ -269,6 +269,29 @@ class Session:
             if name in records
         ]
         return pack({"summary": summary, **shown, **{name: records[name] for name in names}})
+
+    def save_cells(
+        self, format: str, metrics: Sequence[str] = (), attributes: Sequence[str] | None = None
+    ) -> Result:
+        """Write the shown cells as a mesh; see `shown_cells.shown_mesh`.
+
+        Parameters
+        ----------
+        format : str
+            Id of a row of `hexalab.WRITERS`.
+        metrics, attributes : sequence of str
+
+        Returns
+        -------
+        dict
+            `data` ((n,) uint8, the file), `cells`, `vertices`, `notes` (what the format has no place for).
+        """
+        part = shown_cells.shown_mesh(self._open_mesh(), self._drawn().shown, metrics, attributes)
+        return {
+            "cells": part.cell_count,
+            "vertices": part.vertex_count,
+            **shown_cells.shown_file(part, format),
+        }
 
     # -- quality
 

@@ -24,6 +24,7 @@ METHODS = (
     "describe",
     "check",
     "update",
+    "save_cells",
     "quality",
     "histogram",
     "worst",

@@ -130,6 +130,40 @@ export class HexaLab {
     return this.#app.figures.file(format, this.#app.canvas, size);
   }
 
+  /**
+   * The shown cells as a mesh (SPEC A8).
+   *
+   * @param {string} format "vtu", "vtk", "mesh", ...: what meshes are written in
+   * @param {{ metrics?: string[], attributes?: string[] | null }} [options] metrics that become attributes of the cells; attributes
+   *   of the file that come along, all by default
+   * @returns {Promise<{ file: Blob, ending: string, notes: readonly string[] }>} notes: what the format has no place for
+   */
+  cells(format, options = {}) {
+    return this.#app.leaving.cells(format, options);
+  }
+
+  /**
+   * The shown surface (SPEC A8).
+   *
+   * @param {string} format "glb", "ply", "obj" or "stl"
+   * @param {{ light?: boolean, reference?: string }} [options] light: whether it is in the colours, by default where it comes from
+   *   all around
+   * @returns {Promise<{ file: Blob, ending: string, notes: readonly string[] }>}
+   */
+  surface(format, options = {}) {
+    return this.#app.leaving.surface(format, options);
+  }
+
+  /** The mesh in a page of one file (SPEC A7). @param {import("../state/leaving.js").PageWanted} [options] @returns {Promise<Blob>} */
+  page(options = {}) {
+    return this.#app.singlePage.file(options);
+  }
+
+  /** Pictures around the mesh (SPEC A8). @param {import("../state/leaving.js").Turn} [options] @returns {Promise<Blob>} a zip of pictures, or a video */
+  turntable(options = {}) {
+    return this.#app.turntable.file(options);
+  }
+
   /** Statistics of a metric or an attribute over the mesh. @param {string} quantity id @returns {Promise<import("../state/answers.js").Statistics>} */
   quality(quantity) {
     return this.#app.client.call("quality", [quantity]);

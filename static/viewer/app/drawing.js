@@ -7,6 +7,7 @@ import { normalised } from "../state/vectors.js";
  * @typedef {import("../state/status.js").PartialStatus} PartialStatus
  *
  * @typedef {Partial<Update> & Pick<Update, "shown_cells" | "shown_faces">} Answer  of the core, or a preview
+ * @typedef {Pick<Update, "surface" | "silhouette" | "see_through" | "irregular">} Records
  */
 
 /**
@@ -27,6 +28,8 @@ export class Drawing {
   #lost = false;
   /** @type {Promise<void>} */
   #latest = Promise.resolve();
+  /** @type {Partial<Records>} */
+  #records = {};
 
   /** @param {import("./app.js").Parts & { messages: import("./messages.js").Messages }} parts */
   constructor({ store, client, scene, facts, messages, tables }) {
@@ -54,8 +57,14 @@ export class Drawing {
     });
   }
 
+  /** What is on the screen: of each kind the record that came last for the open mesh. */
+  get records() {
+    return this.#records;
+  }
+
   /** The core holds the mesh on the screen. */
   begin() {
+    this.#records = {};
     this.#settings.forget();
     this.#ready = true;
   }
@@ -118,6 +127,9 @@ export class Drawing {
   #take(answer, same = false) {
     const scene = this.#scene;
     const began = performance.now();
+    const { surface, silhouette, see_through, irregular } = answer;
+    for (const [kind, record] of Object.entries({ surface, silhouette, see_through, irregular }))
+      if (record) this.#records = { ...this.#records, [kind]: record };
     if (answer.surface) scene.setSurface(answer.surface, same);
     if (answer.silhouette) scene.setSilhouette(answer.silhouette);
     if (answer.see_through) scene.setSeeThrough(answer.see_through);

@@ -7,7 +7,9 @@ import { cutTo, LARGEST } from "../figure/cut.js";
 import { contentOf, cropped, dataAddress, rasterised } from "../figure/raster.js";
 import { writeStatus } from "../files/png_text.js";
 import { KIND_NAMES, KINDS } from "../state/kinds.js";
+import { inOneLine } from "../state/entry.js";
 import { panelsOf } from "../state/panels.js";
+import { posed } from "./posing.js";
 import { quantityOf } from "../state/quantity.js";
 
 /**
@@ -89,7 +91,7 @@ export class Figures {
       family: FAMILY,
       counts: asked.legend === "histogram",
     };
-    const scale = asked.legend === "none" ? null : await this.#scale();
+    const scale = asked.legend === "none" ? null : await this.scale();
     const measure = measureText(asked.letters * point);
     const caption = asked.caption ? wrapped(this.#caption(), width - 2 * asked.margin * point, measure) : [];
     const laid = {
@@ -191,29 +193,13 @@ export class Figures {
     return contentOf(await this.#take(unlit, size));
   }
 
-  /** A picture of each panel; the settings are then what they were. @param {readonly import("../state/status.js").PartialStatus[]} panels @param {{ width: number, height: number, transparent: boolean }} size */
-  async #take(panels, size) {
-    const { store, drawing, scene, facts } = this.#app;
-    const { status } = store;
-    const pictures = [];
-    facts.set({ posing: true });
-    try {
-      for (const panel of panels) {
-        store.set(panel, { undo: false });
-        await drawing.drawn();
-        pictures.push(await scene.screenshot(size));
-      }
-    } finally {
-      const { filters, irregular, separation, silhouette, lighting } = status;
-      store.set({ filters, irregular, separation, silhouette, lighting }, { undo: false });
-      facts.set({ posing: false });
-      await drawing.drawn();
-    }
-    return pictures;
+  /** A picture of each panel. @param {readonly import("../state/status.js").PartialStatus[]} panels @param {{ width: number, height: number, transparent: boolean }} size */
+  #take(panels, size) {
+    return posed(this.#app, panels, () => this.#app.scene.screenshot(size));
   }
 
-  /** What the legend tells. @returns {Promise<Figure["scale"]>} */
-  async #scale() {
+  /** What the legend tells. @param {number} [bins] of its histogram @returns {Promise<Figure["scale"]>} */
+  async scale(bins) {
     const { store, client, facts } = this.#app;
     const { colour, figure, histogram } = store.status;
     if (colour.by === "sides")
@@ -227,8 +213,8 @@ export class Figures {
     if (colour.by === "kind" || colour.by === "part")
       return { title: figure.legend_title, colours: this.#categories(colour.by) };
     const quantity = quantityOf(this.#app);
-    const bins = figure.legend === "bar" ? STEPS : Math.min(BARS, histogram.bins);
-    const data = await client.call("histogram", [quantity.id, bins]);
+    const asked = bins ?? (figure.legend === "bar" ? STEPS : Math.min(BARS, histogram.bins));
+    const data = await client.call("histogram", [quantity.id, asked]);
     const highFirst = facts.get("colour")?.high_first ?? false;
     return {
       data,
@@ -260,10 +246,7 @@ export class Figures {
     if (own) return own;
     const entry = facts.get("entry");
     if (!entry) return facts.get("summary")?.name ?? "";
-    const { authors, year, title, venue } = entry.source;
-    const [first = "", ...others] = authors;
-    const who = others.length > 1 ? `${first} et al.` : [first, ...others].join(" and ");
-    return `${entry.mesh.name}. ${[who, year && `(${year})`].filter(Boolean).join(" ")}: ${title}${venue ? `, ${venue}` : ""}.`;
+    return `${entry.mesh.name}. ${inOneLine(entry.source, true)}`;
   }
 
   /** Tips of the axes in the view's frame. @returns {[number, number, number][]} */

@@ -8,6 +8,7 @@
  * @property {{ args: [part?: string], answer: Partial<Description> }} describe
  * @property {{ args: [document: unknown], answer: Checked }} check
  * @property {{ args: [changed?: PartialStatus, lean?: boolean, whole?: boolean], answer: Update }} update
+ * @property {{ args: [format: string, metrics?: readonly string[], attributes?: readonly string[] | null], answer: SavedCells }} save_cells
  * @property {{ args: [quantity: string], answer: Statistics }} quality
  * @property {{ args: [quantity: string, bins?: number, shown_only?: boolean], answer: Histogram }} histogram
  * @property {{ args: [quantity: string, count?: number], answer: Worst }} worst
@@ -27,6 +28,7 @@
  * @typedef {import("../state/answers.js").Update} Update
  * @typedef {import("../state/answers.js").Statistics} Statistics
  * @typedef {import("../state/answers.js").Histogram} Histogram
+ * @typedef {import("../state/answers.js").SavedCells} SavedCells
  * @typedef {import("../state/answers.js").Worst} Worst
  * @typedef {import("../state/answers.js").Validity} Validity
  * @typedef {import("../state/answers.js").Inspection} Inspection

@@ -40,8 +40,7 @@ export function composed(figure, pictures = []) {
     ...images,
     ...over(figure),
   );
-  for (const text of svg.querySelectorAll("text")) text.setAttribute("font-family", style.family);
-  return svg;
+  return lettered(svg, style);
 }
 
 /** @param {Figure} figure @returns {SVGElement[]} */
@@ -65,10 +64,31 @@ function over({ layout, style, letters, scale, scaleBar: bar, axes: directions, 
   ];
 }
 
+/**
+ * The legend by itself.
+ *
+ * @param {NonNullable<Figure["scale"]>} scale @param {{ width: number, height: number }} size pixels @param {Style} style @returns {SVGElement}
+ */
+export function legendAlone(scale, { width, height }, style) {
+  const svg = s(
+    "svg",
+    { xmlns: "http://www.w3.org/2000/svg", viewBox: `0 0 ${width} ${height}`, width, height },
+    ...legendOf(scale, { x: 0, y: 0, width, height }, style),
+  );
+  return lettered(svg, style);
+}
+
+/** @param {SVGElement} svg @param {Style} style */
+function lettered(svg, { family }) {
+  for (const text of svg.querySelectorAll("text")) text.setAttribute("font-family", family);
+  return svg;
+}
+
 /** @param {NonNullable<Figure["scale"]>} scale @param {import("./layout.js").Box} box @param {Style} style @returns {SVGElement[]} */
 function legendOf(scale, box, style) {
   if ("data" in scale) return legend(scale, box, style, true);
   const letter = style.size * style.point;
+  if (!scale.title) return keyRows(scale.colours, box, style);
   return [
     words(scale.title, box.x, box.y + letter, { style, anchor: "start", weight: "bold" }),
     ...keyRows(scale.colours, { ...box, y: box.y + 1.5 * letter }, style),

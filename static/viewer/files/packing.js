@@ -1,5 +1,5 @@
 /**
- * Reads what `hexalab.packing` writes: "HXB1", the header's length, a JSON header in which arrays are
+ * The form of `hexalab.packing`, read and written: "HXB1", the header's length, a JSON header in which arrays are
  * {dtype, shape, offset}, then the arrays, little-endian, offsets counted from the header's end.
  *
  * @typedef {Float64Array | Float32Array | Int32Array | Uint32Array | Int16Array | Uint16Array | Int8Array | Uint8Array} TypedArray
@@ -59,4 +59,35 @@ function arrayAt({ dtype, shape, offset }, buffer, base) {
     base + offset,
     shape.reduce((product, size) => product * size, 1),
   );
+}
+
+const ALIGNMENT = 8;
+
+/** @param {number} size */
+const aligned = (size) => Math.ceil(size / ALIGNMENT) * ALIGNMENT;
+
+/** Pack a record; what is no number that JSON holds becomes null. @param {object} record @returns {Uint8Array<ArrayBuffer>} */
+export function pack(record) {
+  /** @type {{ offset: number, array: TypedArray }[]} */
+  const arrays = [];
+  let end = 0;
+  const described = (/** @type {unknown} */ value) => {
+    if (!ArrayBuffer.isView(value)) return value;
+    const array = /** @type {TypedArray} */ (value);
+    const dtype = Object.keys(ARRAYS).find((name) => array instanceof ARRAYS[name]);
+    if (!dtype) throw new Error(`arrays of ${array.constructor.name} can't be packed`);
+    const row = { dtype, shape: [array.length], offset: end };
+    arrays.push({ offset: end, array });
+    end = aligned(end + array.byteLength);
+    return row;
+  };
+  const header = new TextEncoder().encode(JSON.stringify(record, (_, value) => described(value)));
+  const length = aligned(8 + header.length) - 8;
+  const out = new Uint8Array(8 + length + end);
+  out.set(new TextEncoder().encode(MAGIC));
+  new DataView(out.buffer).setUint32(4, length, true);
+  out.fill(0x20, 8, 8 + length).set(header, 8);
+  for (const { offset, array } of arrays)
+    out.set(new Uint8Array(array.buffer, array.byteOffset, array.byteLength), 8 + length + offset);
+  return out;
 }

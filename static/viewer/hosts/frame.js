@@ -3,6 +3,21 @@ import { KernelTransport } from "../core/kernel_transport.js";
 import { nothingAhead } from "./host.js";
 import { Offers } from "./offers.js";
 
+/** Milliseconds that the kernel may take to give the frame of a page. */
+const PATIENCE = 60_000;
+
+/** @param {import("../core/kernel_transport.js").Port} port @returns {Promise<string>} */
+function askedSheet(port) {
+  return new Promise((resolve, reject) => {
+    const late = setTimeout(() => reject(new Error("the notebook's kernel does not answer")), PATIENCE);
+    port.on("sheet", (_, block) => {
+      clearTimeout(late);
+      resolve(new TextDecoder().decode(block ?? new ArrayBuffer(0)));
+    });
+    port.send({ kind: "sheet" });
+  });
+}
+
 /**
  * A notebook: the page stands in a frame of the widget, which has put its port on the frame's window; the kernel's own core
  * answers.
@@ -26,6 +41,7 @@ export function frame() {
     addressed: "",
     client: new CoreClient(transport),
     ahead: nothingAhead(),
+    sheet: () => askedSheet(port),
     offers,
     port,
   };

@@ -10,6 +10,7 @@
  * @property {string} addressed the mesh that the page's address names: "source/mesh", an address, or nothing
  * @property {import("../core/client.js").CoreClient} client
  * @property {Ahead} ahead
+ * @property {() => Promise<string>} sheet the frame of a page of one file
  * @property {import("./offers.js").Offers | null} offers meshes that the core has at hand
  * @property {import("../core/kernel_transport.js").Port} [port] to a notebook's kernel, with which settings are shared
  */
@@ -20,6 +21,14 @@
  * @typedef {Pick<import("../catalogue/ahead.js").Ahead, "shown" | "tellShown" | "preview">
  *   & { catalogue: Promise<import("../catalogue/catalogue.js").Catalogue | null> }} Ahead
  */
+
+/** The frame of a page of one file, which lies beside the viewer's page. @returns {Promise<string>} */
+export async function fetchedSheet() {
+  const answer = await fetch(new URL("sheet.txt", document.baseURI));
+  if (!answer.ok)
+    throw new Error(`the page's frame could not be fetched: ${answer.status} ${answer.statusText}`);
+  return answer.text();
+}
 
 /** What comes ahead of the core where there is no catalogue: nothing. @returns {Ahead} */
 export function nothingAhead() {

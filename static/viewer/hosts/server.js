@@ -1,6 +1,6 @@
 import { CoreClient } from "../core/client.js";
 import { ServerTransport } from "../core/server_transport.js";
-import { nothingAhead } from "./host.js";
+import { fetchedSheet, nothingAhead } from "./host.js";
 import { Offers } from "./offers.js";
 
 /** Where the token is kept, so that the page can be loaded again; it leaves the address at once. */
@@ -28,6 +28,7 @@ export function server() {
     addressed: "",
     client: new CoreClient(transport),
     ahead: nothingAhead(),
+    sheet: fetchedSheet,
     offers,
   };
 }

@@ -1,6 +1,7 @@
 import { Ahead } from "../catalogue/ahead.js";
 import { CoreClient } from "../core/client.js";
 import { soon } from "../core/soon.js";
+import { fetchedSheet } from "./host.js";
 import { WorkerTransport } from "../core/worker_transport.js";
 
 /** Processor cores on which the first picture and Python get in each other's way: there one comes after the other. */
@@ -21,5 +22,15 @@ export function site() {
     turn: inTurn ? soon(ahead.shown, PATIENCE) : null,
   });
   const client = new CoreClient(transport);
-  return { root, keeps: true, shares: true, steps: true, addressed, client, ahead, offers: null };
+  return {
+    root,
+    keeps: true,
+    shares: true,
+    steps: true,
+    addressed,
+    client,
+    ahead,
+    sheet: fetchedSheet,
+    offers: null,
+  };
 }

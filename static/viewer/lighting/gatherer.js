@@ -204,7 +204,7 @@ export class Gatherer {
   }
 
   /**
-   * Reads the sums back, for tests and measurements only.
+   * Reads the sums back: for files, tests and measurements.
    *
    * @param {import("three").WebGLRenderer} renderer
    * @param {number} rows

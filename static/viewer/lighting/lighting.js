@@ -27,6 +27,21 @@ const GROWTH_SLOW = 8;
  * @property {(share: number, texture: import("three").Texture | null) => void} setOcclusion
  * @property {LitUniforms} uniforms
  *
+ * @typedef {object} LightingLike  what the scene knows of its light
+ * @property {LightingMode} mode
+ * @property {readonly import("three").Material[]} materials
+ * @property {boolean} settled
+ * @property {number} elapsed
+ * @property {() => void} restart
+ * @property {() => void} forget
+ * @property {(busy: boolean, slow: boolean) => { again: boolean, draw: boolean }} step
+ * @property {() => Promise<void>} complete
+ * @property {() => Promise<Float32Array>} baked
+ * @property {Lighting["prepare"]} prepare
+ * @property {() => void} dispose
+ *
+ * @typedef {(renderer: import("three").WebGLRenderer, layer: LitLayer) => LightingLike} MakeLighting
+ *
  * @typedef {object} LitUniforms
  * @property {{ value: number }} screenShare of the screen-space term in the light
  * @property {{ value: import("three").Texture }} screenOpenness
@@ -35,6 +50,8 @@ const GROWTH_SLOW = 8;
 
 /**
  * Chooses and feeds the light of the surface: which terms are gathered, when, and how they are mixed in its shader.
+ *
+ * @implements {LightingLike}
  */
 export class Lighting {
   object;
@@ -115,6 +132,16 @@ export class Lighting {
       this.object.advance(16);
       if (this.object.count % 64 === 0) await new Promise((resolve) => setTimeout(resolve));
     }
+  }
+
+  /** How open each drawn vertex is to light, 0 to 1, gathered from all directions whatever the mode. @returns {Promise<Float32Array>} */
+  async baked() {
+    const { object } = this;
+    while (!object.done) {
+      object.advance(BATCH);
+      if (object.count % 64 === 0) await new Promise((resolve) => setTimeout(resolve));
+    }
+    return object.empty ? new Float32Array(0) : object.read();
   }
 
   /** Milliseconds from the surface's change to now. */

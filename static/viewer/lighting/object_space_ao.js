@@ -156,7 +156,7 @@ export class ObjectSpaceAO {
     this.#plates = null;
   }
 
-  /** Openness of every drawn vertex, read back: for tests only. @returns {Float32Array} */
+  /** Openness of every drawn vertex, read back, for files. @returns {Float32Array} */
   read() {
     const points = /** @type {ReturnType<typeof gatheringPoints>} */ (this.#points);
     const surface = /** @type {import("../geometry/records.js").Surface} */ (this.#surface);

@@ -12,6 +12,12 @@ export class BlankScene {
   hurried = false;
   outward = false;
   covered = 0;
+  lighting = {
+    /** @returns {Promise<Float32Array>} */
+    async baked() {
+      throw new Error("there is no light to save: this browser lacks WebGL 2");
+    },
+  };
   async prepare() {}
   setMesh() {}
   setSurface() {}

@@ -11,6 +11,7 @@ import { tellChanges } from "./changes_told.js";
 import { batchDialog } from "../dialogs/batch.js";
 import { helpDialog } from "../dialogs/help.js";
 import { imageDialog } from "../dialogs/image.js";
+import { saveDialog } from "../dialogs/save.js";
 import { shareDialog } from "../dialogs/share.js";
 import { statusDialog } from "../dialogs/status_editor.js";
 import { fitButton } from "./fit_button.js";
@@ -34,6 +35,7 @@ export class Page {
       batch: batchDialog(context),
       help: helpDialog(context),
       image: imageDialog(context, canvas),
+      save: saveDialog(context),
       share: shareDialog(context),
       status: statusDialog(context),
     };

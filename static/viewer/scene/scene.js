@@ -1,4 +1,3 @@
-import { Lighting } from "../lighting/lighting.js";
 import { CameraRig } from "./camera/camera_rig.js";
 import { DraftPolicy } from "./frame/draft_policy.js";
 import { Emitter } from "./emitter.js";
@@ -26,7 +25,7 @@ import { View } from "./frame/view.js";
  * The drawing of one mesh on one canvas: takes the core's buffers and the status document, draws when something changed.
  *
  * @example
- * const scene = new Scene(canvas, store.status.camera);
+ * const scene = new Scene(canvas, store.status.camera, makeLighting);
  * scene.setMesh(summary);
  * scene.setStatus(store.status);
  * scene.setSurface(answer.surface);
@@ -67,9 +66,10 @@ export class Scene {
   /**
    * @param {HTMLCanvasElement} canvas
    * @param {import("./types.js").CameraStatus} camera the first one
+   * @param {import("../lighting/lighting.js").MakeLighting} makeLighting
    * @param {Promise<unknown>} [idle] when the processor is free for whole pictures, where it has to draw them itself
    */
-  constructor(canvas, camera, idle = Promise.resolve()) {
+  constructor(canvas, camera, makeLighting, idle = Promise.resolve()) {
     this.#idle = idle;
     this.#rig = new CameraRig(camera);
     this.#painter = new Painter(canvas);
@@ -77,7 +77,7 @@ export class Scene {
     this.#layers = new Layers(this.#painter);
     this.#programs = new Programs(this.#painter.renderer);
     void this.#programs.compile([this.#layers.surface.material(true)]);
-    this.#lighting = new Lighting(this.#painter.renderer, this.#layers.surface);
+    this.#lighting = makeLighting(this.#painter.renderer, this.#layers.surface);
     this.#pictures = new Pictures(this.#view, this.#painter, this.#layers, this.#lighting);
     this.#pointing = new Pointing(this.#view, this.#painter);
     this.#loop = new FrameLoop(
@@ -117,7 +117,7 @@ export class Scene {
     return this.#drafts.hurried;
   }
 
-  /** The lighting, for tests and measurements. */
+  /** The lighting: for files, tests and measurements. */
   get lighting() {
     return this.#lighting;
   }
@@ -177,8 +177,7 @@ export class Scene {
     this.#pointing.set(surface);
     this.#lighting.restart();
     this.timings.upload = performance.now() - started;
-    if (same) return this.#loop.invalidate();
-    this.#drafts.surfaced();
+    if (!same) this.#drafts.surfaced();
     this.#loop.invalidate();
   }
 

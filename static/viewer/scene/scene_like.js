@@ -34,6 +34,7 @@
  *
  * @typedef {object} SceneLike
  * @property {Record<string, number>} timings milliseconds of the last upload, picture, first and whole lighting
+ * @property {Pick<import("../lighting/lighting.js").LightingLike, "baked">} lighting
  * @property {number} frames pictures drawn since the scene was made
  * @property {boolean} hurried whether surfaces are wanted fast rather than whole
  * @property {boolean} outward whether every cell is valid at its corners: then the backs of faces need not be drawn

@@ -93,6 +93,12 @@
  * @property {number | null} high
  * @property {boolean} high_first whether the map's first colour is that of high values
  *
+ * @typedef {object} SavedCells  the shown cells as a file
+ * @property {Uint8Array} data
+ * @property {number} cells
+ * @property {number} vertices
+ * @property {string[]} notes what its format has no place for
+ *
  * @typedef {object} Preview  summary and first picture of a mesh of the catalogue, packed when the site is built
  * @property {BriefSummary} summary
  * @property {number} shown_cells

@@ -33,3 +33,25 @@ export function cameraOnCell(camera, { centre, size }) {
   const halfAngle = (camera.field_of_view * Math.PI) / 360;
   return { fit: false, target: centre, distance: Math.max(1e-4, (2.5 * size) / Math.tan(halfAngle)) };
 }
+
+/**
+ * The camera after a turn about an axis through what it looks at: the model turns the other way.
+ *
+ * @param {Pick<Camera, "direction" | "up">} camera @param {Vector} axis @param {number} angle radians
+ * @returns {{ direction: Vector, up: Vector }}
+ */
+export function turnedCamera({ direction, up }, axis, angle) {
+  const about = normalised(axis);
+  return { direction: turned(direction, about, angle), up: turned(up, about, angle) };
+}
+
+/** Rodrigues' formula. @param {Vector} vector @param {Vector} axis of length 1 @param {number} angle @returns {Vector} */
+function turned([x, y, z], [a, b, c], angle) {
+  const [cosine, sine] = [Math.cos(angle), Math.sin(angle)];
+  const along = (a * x + b * y + c * z) * (1 - cosine);
+  return [
+    x * cosine + (b * z - c * y) * sine + a * along,
+    y * cosine + (c * x - a * z) * sine + b * along,
+    z * cosine + (a * y - b * x) * sine + c * along,
+  ];
+}

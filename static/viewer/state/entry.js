@@ -33,4 +33,21 @@
  * @property {(entry: Entry, step: number) => Entry | null} beside
  */
 
-export {};
+/** Authors that a short reference names. */
+const FEW = 2;
+
+/**
+ * A reference in one line.
+ *
+ * @param {CatalogueSource} source @param {boolean} [short] one name for more than two
+ */
+export function inOneLine({ authors, year, title, venue }, short = false) {
+  const [first = "", ...others] = authors;
+  const who =
+    short && authors.length > FEW
+      ? `${first} et al.`
+      : authors.length > FEW
+        ? `${authors.slice(0, -1).join(", ")} and ${authors[authors.length - 1]}`
+        : [first, ...others].join(" and ");
+  return `${[who, year && `(${year})`].filter(Boolean).join(" ")}: ${title}${venue ? `, ${venue}` : ""}.`;
+}

@@ -13,6 +13,8 @@
  *
  * @typedef {{ id: string, name: string, extensions: readonly string[] }} FormatRow
  *
+ * @typedef {{ id: string, name: string, extension: string }} WriterRow
+ *
  * @typedef {import("./status.js").Choices} Choices
  * @typedef {import("./answers.js").Statistics} Statistics
  * @typedef {{ [Name in keyof Statistics]: Statistics[Name] extends number | null ? Name : never }[keyof Statistics]} NumberName
@@ -27,6 +29,7 @@
  * @property {readonly NumberName[]} statistics names of those that the catalogue holds
  * @property {readonly MetricRow[]} metrics
  * @property {readonly FormatRow[]} formats
+ * @property {readonly WriterRow[]} writers
  */
 
 /** @param {Document} page @returns {Tables} */

@@ -31,6 +31,9 @@
  * @property {{ file: (format: "png" | "svg" | "pdf", canvas: HTMLCanvasElement) => Promise<Blob>, size: (canvas: Size) => Size, lastSize: Size }} figures
  * @property {{ text: () => string, apply: (document: unknown) => Promise<import("../state/answers.js").Rejection[]> }} documents
  * @property {{ stem: string, saveStatus: () => void, link: () => Promise<string> }} saving
+ * @property {import("../state/leaving.js").Leaving} leaving files for other programs
+ * @property {import("../state/leaving.js").SinglePage} singlePage
+ * @property {import("../state/leaving.js").Turntable} turntable
  * @property {(files: readonly File[]) => Promise<void>} offerBatch
  * @property {{ run: (entries: import("../files/zip.js").Entry[], options: Size & Run & { figures: boolean }) => Promise<{ zip: Blob, failed: { name: string, problem: string }[] }> }} batch
  * @property {{ toggle: () => unknown }} keeping offline, the open mesh

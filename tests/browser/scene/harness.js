@@ -1,4 +1,5 @@
 // The page that the scene's tests drive: a scene on a canvas, and typed arrays from base64.
+import { Lighting } from "../../../static/viewer/lighting/lighting.js";
 import { Scene } from "../../../static/viewer/scene/scene.js";
 
 const TYPES = { f32: Float32Array, i16: Int16Array, u32: Uint32Array, u8: Uint8Array };
@@ -34,7 +35,7 @@ Object.assign(window, {
     canvas.style.width = `${width}px`;
     canvas.style.height = `${height}px`;
     document.body.append(canvas);
-    scene = new Scene(canvas, camera);
+    scene = new Scene(canvas, camera, (renderer, layer) => new Lighting(renderer, layer));
     scene.resize(width, height, pixelRatio);
     Object.assign(window, { scene });
   },

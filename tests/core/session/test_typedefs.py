@@ -57,6 +57,7 @@ def answers(attributed: bytes, infinite: bytes) -> Iterator[tuple[str, Any]]:
     yield "open", core.ask("open", "grid.vtk", data=attributed)
     yield "update", core.ask("update", {}, False)
     yield "update", core.ask("update", {"colour": {"by": "quality"}}, True)
+    yield "save_cells", core.ask("save_cells", "mesh", ["volume"], ["cell:load"])
     for part in DESCRIBED:
         yield "describe", core.ask("describe", part)
     cut = {"planes": {**DEFAULTS["filters"]["planes"], "items": [{**PLANE, "offset": 0.5}, PLANE]}}

@@ -13,7 +13,7 @@ import traitlets
 from ... import __version__
 from ...errors import HexaLabError
 from ...status import merge
-from ..built import FRAME, NOTEBOOK, SCRIPT, built_viewer
+from ..built import FRAME, NOTEBOOK, SCRIPT, SHEET, built_viewer
 from ..frames import read_question
 from ..offers import Offer
 from ..seat import Seat
@@ -166,6 +166,7 @@ class View(anywidget.AnyWidget):
         answers: dict[str, Callable[[dict[str, Any], list[Any]], None]] = {
             "bundle": self._give_bundle,
             "hello": self._seat,
+            "sheet": self._give_sheet,
             "ask": self._ask,
             "picture": self._take_picture,
             "still": self._keep_still,
@@ -176,6 +177,9 @@ class View(anywidget.AnyWidget):
 
     def _give_bundle(self, message: dict[str, Any], _: list[Any]) -> None:
         self.send({"kind": "bundle", "view": message["view"]}, self._bundle)
+
+    def _give_sheet(self, message: dict[str, Any], _: list[Any]) -> None:
+        self.send({"kind": "sheet", "view": message["view"]}, [(built_viewer() / SHEET).read_bytes()])
 
     def _seat(self, message: dict[str, Any], _: list[Any]) -> None:
         view = str(message["view"])

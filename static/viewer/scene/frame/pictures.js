@@ -13,7 +13,7 @@ export class Pictures {
    * @param {import("./view.js").View} view
    * @param {import("./painter.js").Painter} painter
    * @param {import("../layers/layers.js").Layers} layers
-   * @param {import("../../lighting/lighting.js").Lighting} lighting
+   * @param {import("../../lighting/lighting.js").LightingLike} lighting
    */
   constructor(view, painter, layers, lighting) {
     this.#view = view;
