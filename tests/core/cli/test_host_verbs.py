@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import json
 import os
 import socket
 import subprocess
@@ -11,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+import hexalab
 from hexalab import cli
 from hexalab.cli.progress import Progress
 from tests.tools import needs
@@ -41,18 +43,22 @@ def test_A2_a_site_that_is_not_there_is_told(
     assert "none" in err
 
 
+OUTPUTS = {"render": ["-o", "x.png"], "export": ["-o", "x.html"]}
+
+
 @pytest.mark.parametrize(
     ("verb", "package", "remedy"),
     [
         ("build", "site_builder", "in a clone of the repository"),
         ("validate", "yaml", "in a clone of the repository"),
         ("render", "playwright", "pip install 'hexalab[render]'"),
+        ("export", "playwright", "pip install 'hexalab[render]'"),
     ],
 )
 def test_A2_a_verb_whose_package_is_missing_says_what_to_install(
     mesh_file: Path, verb: str, package: str, remedy: str
 ) -> None:
-    words = [verb, str(mesh_file), *(["-o", "x.png"] if verb == "render" else [])]
+    words = [verb, str(mesh_file), *OUTPUTS.get(verb, [])]
     script = (
         f"import sys; sys.modules[{package!r}] = None; from hexalab import cli; sys.exit(cli.main({words!r}))"
     )
@@ -110,3 +116,54 @@ def test_A2_progress_shows_on_a_terminal_only() -> None:
     assert pipe.getvalue() == ""
     assert "█" * 12 + "░" * 12 + " reading" in terminal.getvalue()
     assert terminal.getvalue().endswith("\r\x1b[K")
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        ([], "--out"),
+        (["-o", "x.step"], "expected one of .mesh, .vtk, .vtu"),
+        (["-o", "x.html.gz"], "found another ending"),
+        (["-o", "x.vtu", "--slices", "3"], "--slices is for a page of one file; x.vtu is a mesh"),
+        (["-o", "x.glb", "--metrics", "volume"], "--metrics is for a mesh of the shown cells or a page"),
+        (["-o", "x.vtu", "--metrics", "none"], "there is no metric 'none'"),
+        (["-o", "x.vtu", "--attributes", "cell:none"], "no attribute 'cell:none'"),
+        (["-o", "x.html", "--metrics", "none"], "there is no metric 'none'"),
+        (["-o", "x.html", "--slices", "0,2"], "places from 0 to 1"),
+        (["-o", "x.zip", "--frames", "1"], "a number from 2 to 720"),
+        (["-o", "x.webm", "--seconds", "0"], "seconds up to 120"),
+    ],
+)
+def test_A8_what_can_not_be_exported_is_told_before_anything_starts(
+    mesh_file: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path,
+    capsys: pytest.CaptureFixture[str], words: list[str], told: str,
+) -> None:  # fmt: skip
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setitem(
+        sys.modules, "hexalab.hosts.browser", None
+    )  # a browser would be an error of another kind
+    assert cli.main(["export", str(mesh_file), *words]) == cli.MISUSE
+    out, err = capsys.readouterr()
+    assert out == "" and told in err and len(err.splitlines()) == 1
+    assert {path.name for path in tmp_path.iterdir()} <= {mesh_file.name}
+
+
+def test_A8_shown_cells_are_exported_by_the_core_alone(
+    mesh_file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setitem(sys.modules, "hexalab.hosts.browser", None)
+    whole = hexalab.read(mesh_file)
+    status = {"silhouette": 7, "filters": {"quality": {"items": [
+        {"quantity": "volume", "keep": "inside", "minimum": None, "maximum": None}
+    ]}}}  # fmt: skip
+    (tmp_path / "s.json").write_text(json.dumps(status))
+    out = tmp_path / "part.vtu.gz"
+    words = ["export", str(mesh_file), "-o", str(out), "--metrics", "volume,skew", "--attributes", "none"]
+    assert cli.main([*words, "--status", str(tmp_path / "s.json")]) == 0
+    told, err = capsys.readouterr()
+    part = hexalab.read(out)
+    assert told.startswith(f"{out}: {whole.cell_count} of {whole.cell_count} cell")
+    assert told.endswith(f", {out.stat().st_size:,} bytes\n")
+    assert "silhouette: found 7" in err
+    assert set(part.cell_data) == {"volume", "skew"}
+    assert part.cell_data["volume"].tolist() == hexalab.quality(whole, "volume").tolist()

@@ -74,7 +74,9 @@ def test_A8_meshio_reads_what_was_saved(session: Session, mesh: Mesh, tmp_path: 
     assert np.array_equal(found.points[found.cells_dict["hexahedron"]], mesh.points[mesh.cells[rows]])
 
 
-def test_A8_sizes_compare_with_the_whole_meshs_mean_and_names_do_not_clash(session: Session, mesh: Mesh) -> None:
+def test_A8_sizes_compare_with_the_whole_meshs_mean_and_names_do_not_clash(
+    session: Session, mesh: Mesh
+) -> None:
     session.update(HALF)
     saved = session.save_cells("vtu", ["relative_size_squared", "stretch"], ["cell:stretch"])
     found = read_bytes(saved["data"].tobytes(), "part.vtu")
@@ -101,7 +103,9 @@ def test_A8_what_can_not_be_saved_is_told(session: Session) -> None:
     session.update({})
     with pytest.raises(HexaLabError, match="no metric 'none'"):
         session.save_cells("vtu", ["none"])
-    with pytest.raises(HexaLabError, match="no attribute 'cell:none'; it has cell:load, cell:stretch, point:height"):
+    with pytest.raises(
+        HexaLabError, match="no attribute 'cell:none'; it has cell:load, cell:stretch, point:height"
+    ):
         session.save_cells("vtu", [], ["cell:none"])
     with pytest.raises(hexalab.MeshWriteError, match="can't be written as ‘stl’"):
         session.save_cells("stl")

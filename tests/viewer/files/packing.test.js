@@ -4,7 +4,7 @@ import { existsSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { unpack } from "../../../static/viewer/files/packing.js";
+import { pack, unpack } from "../../../static/viewer/files/packing.js";
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), "../../..");
 const PYTHON =
@@ -45,4 +45,29 @@ test("O2: what is no packed file is named", () => {
     /found "<!do".*expected HXB1/,
   );
   assert.throws(() => unpack(new ArrayBuffer(3)), /expected HXB1/);
+});
+
+test("A7: what is packed here is read back, here and by the core", () => {
+  const record = {
+    about: { name: "grösse", none: null, list: [1, "two", true] },
+    shots: [
+      { points: Float32Array.of(0.5, -1), cells: Uint32Array.of(7, 4294967295), flags: new Uint8Array(0) },
+    ],
+    view: new Int16Array(Int16Array.of(1, 2, 3, 4).buffer, 2, 2), // of a part of its buffer
+  };
+  const bytes = pack(record);
+  const found = unpack(bytes.buffer);
+  assert.deepEqual(found, { ...record, view: Int16Array.of(2, 3) });
+  const program = `import sys
+from hexalab.packing import unpack
+found = unpack(sys.stdin.buffer.read())
+shot = found["shots"][0]
+print(found["about"], shot["points"].tolist(), shot["cells"].tolist(), shot["flags"].shape, found["view"].tolist())`;
+  const { stdout, stderr } = spawnSync(PYTHON, ["-X", "utf8", "-c", program], {
+    input: bytes,
+    env: { ...process.env, PYTHONPATH: join(ROOT, "core") },
+  });
+  assert.equal(String(stderr), "");
+  const about = "{'name': 'grösse', 'none': None, 'list': [1, 'two', True]}";
+  assert.equal(String(stdout).trim(), `${about} [0.5, -1.0] [7, 4294967295] (0,) [2, 3]`);
 });
