@@ -162,7 +162,7 @@ def build(
         addresses.append(page)
         if number % 50 == 0:
             tell(f"page {page or 'index.html'}", 0.9 + 0.1 * number / (len(catalogue.meshes) + 40))
-    listed = [page for page in addresses if not page.startswith("offline/")]
+    listed = [page for page in addresses if not page.startswith(("offline/", "embed/"))]
     _add_indexes(catalogue, output, listed, shown)
     if runtime:
         _add_manifest(catalogue, output, collection, figures)
@@ -241,7 +241,8 @@ def _add_static(output: Output) -> None:
     """Styles, scripts of the pages, icon."""
     for address, content in assets().files.items():
         output.write(address, content)
-    output.copy("icon.svg", STATIC / "icon.svg")
+    for name in ("icon.svg", "badge.svg"):
+        output.copy(name, STATIC / name)
 
 
 def _add_indexes(catalogue: Catalogue, output: Output, pages: list[str], pictures: set[str]) -> None:

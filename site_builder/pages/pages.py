@@ -18,6 +18,7 @@ from ..model.names import on_this_machine
 from ..pictures.collection import Collection
 from . import interface, metadata, words
 from .assets import assets
+from .embedding import embedding_values
 from .environment import environment
 from .facets import FACETS, counts
 from .histogram import draw
@@ -83,6 +84,7 @@ class Pages:
             assets=assets(),
             installable=installable,
             connect="",
+            frames="",
             weight=weight,
         )
 
@@ -91,6 +93,8 @@ class Pages:
         yield "", self.front()
         yield "gallery/", self.gallery()
         yield "guide/", self.guide()
+        yield "guide/embedding/", self.embedding()
+        yield "embed/", self.embed()
         yield "about/", self.about()
         yield "offline/", self.offline()
         yield "offline/missing/", self.missing()
@@ -158,6 +162,19 @@ class Pages:
     def guide(self) -> str:
         """What each tool does, with a picture."""
         return self._render("guide", "guide/", **guide_values(self._collection))
+
+    def embedding(self) -> str:
+        """How a mesh is shown in another page, with examples that run."""
+        local = [mesh for mesh in self._catalogue.meshes if not mesh.remote]
+        pictured = [mesh for mesh in local if mesh.picture_address in self._pictures]
+        example = next(iter(pictured or local), None)
+        return self._render("embedding", "guide/embedding/", example=example, **embedding_values())
+
+    def embed(self) -> str:
+        """The poster that stands in a frame until its mesh is asked for."""
+        return self._render(
+            "embed", "embed/", heading="A mesh in HexaLab", description="A hexahedral mesh to look into."
+        )
 
     def interface(self) -> str:
         """Every public name of the Python package."""

@@ -20,7 +20,8 @@ SHEETS = {
     "viewer": (
         "tokens", "base",
         "viewer/page/page", "viewer/page/bar", "viewer/page/view", "viewer/page/empty_state",
-        "viewer/page/progress_bar", "viewer/page/status_line", "viewer/page/message_list", "viewer/page/panel",
+        "viewer/page/embedded", "viewer/page/progress_bar", "viewer/page/status_line", "viewer/page/message_list",
+        "viewer/page/panel",
         "viewer/widgets/section", "viewer/widgets/row", "viewer/widgets/folding", "viewer/widgets/checkbox",
         "viewer/widgets/fields", "viewer/widgets/slider", "viewer/widgets/button", "viewer/widgets/link",
         "viewer/widgets/icon", "viewer/widgets/swatch", "viewer/widgets/table",
@@ -29,6 +30,7 @@ SHEETS = {
         "viewer/dialogs/dialog", "viewer/dialogs/save", "viewer/dialogs/figure", "viewer/dialogs/status_editor",
         "viewer/dialogs/help",
     ),
+    "embed": ("tokens", "base", "embed/embed"),
     "standalone": ("tokens", "base", "standalone/sheet"),
 }  # fmt: skip
 """The parts of each sheet, in their order: of two rules that weigh the same, the later holds."""

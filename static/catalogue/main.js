@@ -1,5 +1,6 @@
 import { Registration } from "../offline/registration.js";
 import { enableCopying } from "./copying.js";
+import { enableEmbedding } from "./embedding.js";
 import { enableKeeping } from "./keeping.js";
 import { passLaunches } from "./launches.js";
 import { enableSorting } from "./sorting.js";
@@ -8,6 +9,7 @@ import { startSearch } from "./search.js";
 const root = new URL(document.body.dataset.root || "./", location.href);
 enableCopying(document);
 enableSorting(document);
+enableEmbedding(document);
 enableKeeping(document, root);
 passLaunches(root);
 const form = document.getElementById("search");

@@ -1,5 +1,6 @@
-import { answerMessages, HexaLab } from "./app/api.js";
+import { HexaLab } from "./app/api.js";
 import { App } from "./app/app.js";
+import { Parent } from "./app/parent.js";
 import { listenToClipboard } from "./input/clipboard.js";
 import { listenToDrops } from "./input/drop.js";
 import { listenToLaunches } from "./input/launches.js";
@@ -39,7 +40,7 @@ if (lack) app.messages.say("error", lack);
 
 const api = new HexaLab(app);
 Object.assign(window, { hexalab: api });
-answerMessages(api);
+if (host.shares) new Parent(api, facts, location).start();
 document.getElementById("could-not-start")?.remove();
 openWhatTheAddressNames().catch(() => {}); // said in a message by whoever failed
 if (addressed) void soon(ahead.shown, 100).then(buildPage);

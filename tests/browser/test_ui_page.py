@@ -214,45 +214,6 @@ def test_O2_a_catalogue_mesh_stands_before_python_is_ready(page: Page, site: str
     assert ui.summary(page)["cells"] == row["cells"]
 
 
-def test_A3_an_embedding_page_talks_to_the_frame(page: Page, site: str, shelf: Path) -> None:
-    hexalab.write(MESH, shelf / "frame.mesh")
-    (shelf / "host.html").write_text(
-        '<!doctype html><title>host</title><iframe src="/viewer/" width="900" height="600">'
-    )
-    page.goto(f"{site}/bench/host.html")
-    summary = page.evaluate(
-        """async (address) => {
-            const frame = document.querySelector("iframe");
-            const heard = (test) => new Promise((resolve) => addEventListener("message", function hear({ data }) {
-                if (!test(data)) return;
-                removeEventListener("message", hear);
-                resolve(data);
-            }));
-            await heard((data) => data.hexalab === "ready");
-            const answer = heard((data) => data.id === 7);
-            frame.contentWindow.postMessage({ hexalab: "open", id: 7, args: [address] }, "*");
-            const opened = await answer;
-            const refusal = heard((data) => data.id === 8);
-            frame.contentWindow.postMessage({ hexalab: "open", id: 8, args: [address + "no"] }, "*");
-            const order = [];
-            addEventListener("message", ({ data }) => data.id > 9 && order.push(data.id));
-            const last = heard((data) => data.id === 12);
-            frame.contentWindow.postMessage({ hexalab: "settled", id: 10 }, "*");
-            frame.contentWindow.postMessage({ hexalab: "explode", id: 11 }, "*");
-            frame.contentWindow.postMessage({ hexalab: "summary", id: 12 }, "*");
-            const unknown = await heard((data) => data.id === 11);
-            await last;
-            return [opened.result, (await refusal).error, unknown.error, order];
-        }""",
-        f"{site}/bench/frame.mesh",
-    )
-    assert summary[0]["cells"] == 64
-    assert "404" in summary[1]
-    assert "there is no method ‘explode’, but open, summary" in summary[2]
-    assert summary[3] == [10, 11, 12], "answers come in the order of questions"
-    page.console_errors.clear()  # type: ignore[attr-defined]
-
-
 def test_V9_without_webgl_the_tables_stand(chromium: Browser, site: str, shelf: Path) -> None:
     script = "HTMLCanvasElement.prototype.getContext = () => null;"
     hexalab.write(MESH, shelf / "blind.mesh")

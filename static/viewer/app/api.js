@@ -2,11 +2,7 @@ import { rowOf } from "../batch/batch.js";
 import { readZip } from "../files/zip.js";
 
 /**
- * `window.hexalab`: the viewer for scripts, tests and embedding pages (SPEC A3).
- *
- * In an iframe the methods of `METHODS` answer `postMessage`: send `{hexalab: "open", id: 1, args: [url]}` to the frame, and
- * `{hexalab: "open", id: 1, result}` or `{hexalab: "open", id: 1, error}` comes back, answers in the order of questions. When the viewer is ready it
- * posts `{hexalab: "ready"}` to its parent.
+ * `window.hexalab`: the viewer for scripts and tests, and, by `parent.js`, for pages that embed it (SPEC A3).
  *
  * @typedef {Omit<import("../state/facts.js").MeshSummary, "outline"> & Partial<import("../state/answers.js").Description>
  *   & { shown: { cells: number, faces: number } | null }} Known
@@ -18,9 +14,13 @@ export class HexaLab {
   /** Resolves when the core runs. @type {Promise<void>} */
   ready;
 
+  /** Of the program. @type {string} */
+  version;
+
   /** @param {import("./app.js").App} app */
   constructor(app) {
     this.#app = app;
+    this.version = app.tables.version;
     this.ready = app.client.ready.then(() => undefined);
     this.ready.catch(() => {}); // said in a message, whoever waits for it
   }
@@ -214,50 +214,5 @@ export class HexaLab {
    */
   timings() {
     return { ...this.#app.facts.get("timings"), ...this.#app.scene.timings };
-  }
-}
-
-/** @type {readonly (keyof HexaLab)[]} */
-const METHODS = [
-  "open",
-  "summary",
-  "getStatus",
-  "setStatus",
-  "reset",
-  "identified",
-  "settled",
-  "screenshot",
-  "figure",
-  "quality",
-  "batch",
-  "drawn",
-  "timings",
-];
-
-/**
- * Answer the embedding page: every question by its number, in the order in which they were asked.
- *
- * @param {HexaLab} api
- */
-export function answerMessages(api) {
-  /** @type {Promise<void>} */
-  let last = Promise.resolve();
-  window.addEventListener("message", ({ data, source }) => {
-    if (source !== parent || parent === window || typeof data?.hexalab !== "string") return;
-    last = last.then(async () => parent.postMessage(await answered(api, data), "*"));
-  });
-  if (parent !== window) api.ready.then(() => parent.postMessage({ hexalab: "ready" }, "*")).catch(() => {});
-}
-
-/** @param {HexaLab} api @param {{ hexalab: string, id?: unknown, args?: unknown }} question */
-async function answered(api, { hexalab, id, args = [] }) {
-  try {
-    const method = METHODS.find((one) => one === hexalab);
-    if (!method) throw new Error(`there is no method ‘${hexalab.slice(0, 60)}’, but ${METHODS.join(", ")}`);
-    if (!Array.isArray(args)) throw new Error("args: expected a list of arguments");
-    const call = /** @type {(...args: unknown[]) => unknown} */ (/** @type {unknown} */ (api[method]));
-    return { hexalab, id, result: await call.apply(api, args) };
-  } catch (error) {
-    return { hexalab, id, error: error instanceof Error ? error.message : String(error) };
   }
 }

@@ -158,6 +158,7 @@ export class Saving {
   async link() {
     const { store } = this.#app;
     const address = new URL(location.href);
+    for (const own of ["embed", "origin"]) address.searchParams.delete(own); // of a frame
     address.hash = await statusToHash(store.status, store.defaults);
     return address.href;
   }

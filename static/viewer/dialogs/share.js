@@ -6,13 +6,14 @@ import { copyField, dialog } from "./dialog.js";
 export function shareDialog({ app, facts }) {
   const link = copyField("Link");
   const frame = copyField("Embed", true);
+  const badge = copyField("Badge");
   const local = h(
     "p",
     { class: "quiet", hidden: true },
     "The mesh is a file of yours: the link carries the view, and whoever opens it has to add the mesh.",
   );
   const settings = copyField("Settings", true);
-  for (const field of [link, frame]) field.element.hidden = !app.host.shares;
+  for (const field of [link, frame, badge]) field.element.hidden = !app.host.shares;
   const edit = () => {
     element.close();
     /** @type {HTMLDialogElement} */ (document.getElementById("status-editor")).showModal();
@@ -37,17 +38,32 @@ export function shareDialog({ app, facts }) {
   const element = dialog(
     "share",
     "Share",
-    [link.element, frame.element, local, settings.element, actions],
+    [link.element, frame.element, badge.element, local, settings.element, actions],
     async () => {
       local.hidden =
         !app.host.shares || !facts.get("summary") || new URLSearchParams(location.search).has("mesh");
       settings.show(app.documents.text());
-      for (const field of [link, frame]) field.show(""); // never that of another view
+      for (const field of [link, frame, badge]) field.show(""); // never that of another view
       if (!app.host.shares) return;
       const address = await app.saving.link();
       link.show(address);
-      frame.show(`<iframe src="${address}" width="960" height="640" title="HexaLab"></iframe>`);
+      const name = facts.get("entry")?.mesh.name ?? facts.get("summary")?.name ?? "HexaLab";
+      frame.show(embedCode(address, name));
+      badge.show(`[![open in HexaLab](${new URL("../badge.svg", document.baseURI).href})](${address})`);
     },
   );
   return element;
+}
+
+/**
+ * A frame that shows a mesh's picture, and loads the mesh where that is clicked (`embed/`).
+ *
+ * @param {string} address of the viewer @param {string} name
+ */
+function embedCode(address, name) {
+  const frame = new URL(address);
+  frame.searchParams.set("title", name);
+  frame.pathname = frame.pathname.replace(/viewer\/(index\.html)?$/, "embed/");
+  const title = `${name}, HexaLab`.replaceAll(/[&<>"]/g, (mark) => `&#${mark.charCodeAt(0)};`);
+  return `<iframe src="${frame.href.replaceAll("&", "&amp;")}" width="720" height="480" loading="lazy" title="${title}"></iframe>`;
 }

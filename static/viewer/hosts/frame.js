@@ -38,6 +38,7 @@ export function frame() {
     keeps: false,
     shares: false,
     steps: false,
+    embedded: false,
     addressed: "",
     client: new CoreClient(transport),
     ahead: nothingAhead(),

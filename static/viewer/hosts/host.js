@@ -7,6 +7,7 @@
  * @property {boolean} keeps whether the browser may keep files, and the page itself, for later visits
  * @property {boolean} shares whether the page's address opens the same for others
  * @property {boolean} steps whether opened meshes are steps of the browser's history
+ * @property {boolean} embedded whether the picture alone is shown, in a frame of another page
  * @property {string} addressed the mesh that the page's address names: "source/mesh", an address, or nothing
  * @property {import("../core/client.js").CoreClient} client
  * @property {Ahead} ahead

@@ -25,6 +25,7 @@ export function server() {
     keeps: false,
     shares: false,
     steps: true,
+    embedded: false,
     addressed: "",
     client: new CoreClient(transport),
     ahead: nothingAhead(),

@@ -13,7 +13,10 @@ const PATIENCE = 1000;
 /** The static site: the catalogue, Python in a worker, everything kept for when there is no network. @returns {import("./host.js").Host} */
 export function site() {
   const { worker, runtime, root } = /** @type {Record<string, string>} */ (document.documentElement.dataset);
-  const addressed = new URLSearchParams(location.search).get("mesh") ?? "";
+  const asked = new URLSearchParams(location.search);
+  const addressed = asked.get("mesh") ?? "";
+  const embedded = asked.has("embed");
+  document.documentElement.toggleAttribute("data-embedded", embedded);
   const ahead = new Ahead(new URL(root, document.baseURI).href, addressed);
   const inTurn = addressed !== "" && navigator.hardwareConcurrency <= FEW_CORES;
   const transport = new WorkerTransport({
@@ -24,9 +27,10 @@ export function site() {
   const client = new CoreClient(transport);
   return {
     root,
-    keeps: true,
+    keeps: !embedded, // what was looked at before is no matter of the page around
     shares: true,
-    steps: true,
+    steps: !embedded,
+    embedded,
     addressed,
     client,
     ahead,

@@ -19,6 +19,7 @@ import { meshName } from "./mesh_name.js";
 import { messageList } from "./message_list.js";
 import { progressBar } from "./progress_bar.js";
 import { cellLabel } from "./cell_label.js";
+import { embeddedCorner } from "./embedded.js";
 import { centreBeside } from "./covered.js";
 import { emptyState } from "./empty_state.js";
 import { statusLine } from "./status_line.js";
@@ -51,6 +52,7 @@ export class Page {
       cellLabel(context, context.app.scene),
       cellInspector,
       messageList(context),
+      ...(context.app.host.embedded ? [embeddedCorner(context)] : []),
     );
     place("status-line", ...statusLine(context));
     document.body.append(...Object.values(this.dialogs));

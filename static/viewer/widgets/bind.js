@@ -13,7 +13,7 @@
  * @property {import("../state/tables.js").Tables} tables the core's tables: metrics, formats, defaults
  *
  * @typedef {object} Actions  what the page asks of the application that is more than a setting
- * @property {Pick<import("../hosts/host.js").Host, "root" | "keeps" | "shares">} host
+ * @property {Pick<import("../hosts/host.js").Host, "root" | "keeps" | "shares" | "embedded">} host
  * @property {{ open: (id: string) => Promise<unknown> } | null} offered meshes that the core has at hand
  * @property {(files: readonly File[]) => Promise<unknown>} openFiles
  * @property {(source: string) => Promise<void>} chooseSource

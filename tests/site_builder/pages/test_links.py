@@ -79,4 +79,4 @@ def test_C3_the_sitemap_lists_every_page(site):
         re.findall(r"<loc>https://meshes\.example\.org/hex/(.*?)</loc>", (site / "sitemap.xml").read_text())
     )
     pages = {file.relative_to(site).as_posix().removesuffix("index.html") for file in site.rglob("*.html")}
-    assert listed == pages - {"offline/", "offline/missing/"}
+    assert listed == pages - {"embed/", "offline/", "offline/missing/"}

@@ -64,5 +64,6 @@ def test_a_page_links_one_sheet_and_the_site_has_no_other(site):
     assert {f"styles/{file.name}" for file in (site / "styles").rglob("*")} == set(sheets.values())
     for page in site.rglob("*.html"):
         links = re.findall(r'<link rel="stylesheet" href="([^"]*)"', page.read_text("utf-8"))
-        assert [(page.parent / link).resolve() for link in links] == [site.resolve() / sheets["catalogue"]]
+        sheet = sheets["embed" if page.parent.name == "embed" else "catalogue"]
+        assert [(page.parent / link).resolve() for link in links] == [site.resolve() / sheet]
     assert (site / sheets["viewer"]).read_text("utf-8") == style_sheets()["viewer"]

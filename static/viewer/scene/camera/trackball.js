@@ -142,6 +142,7 @@ export class Trackball {
 
   /** @param {WheelEvent} event */
   #wheel(event) {
+    if (window !== parent && !document.hasFocus()) return; // in a frame the page around scrolls, until it was clicked
     event.preventDefault();
     const unit = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 18 : event.deltaMode === 2 ? 400 : 1;
     const pixels = Math.max(-300, Math.min(300, event.deltaY * unit));
