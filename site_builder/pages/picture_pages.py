@@ -34,7 +34,8 @@ CHAPTERS = (
     ("silhouette", "Silhouette"), ("see-through", "See through"), ("irregular", "Irregular edges"),
     ("lighting", "Light"), ("histogram", "Histogram and statistics"), ("diagnosis", "Diagnosis"),
     ("inspector", "One cell"),
-    ("sharing", "Settings and sharing"), ("offline", "Without a network"), ("keyboard", "Keyboard"),
+    ("sharing", "Settings and sharing"), ("saving", "Saving the mesh"), ("ways", "Four ways to use it"),
+    ("offline", "Without a network"), ("keyboard", "Keyboard"),
     ("formats", "Formats"), ("metrics", "What the metrics mean"),
 )  # fmt: skip
 """The guide's sections by their anchors."""
