@@ -135,6 +135,9 @@ def test_A6_a_picture_comes_when_it_is_asked_for(chromium: Browser, lab: Lab) ->
         view(page)
         run(page, "shot = view.screenshot(320, 200, wait=False)")
         until(lambda: run(page, "print(shot.done())") == "True", 60)
+        (frame,) = frames(page)
+        html = frame.evaluate("async () => (await window.hexalab.page()).text()")
+        assert "<title>box.mesh</title>" in html, "the page's frame comes from the kernel"
         text = run(page, "import base64; print(base64.b64encode(shot.result()).decode())")
         png = base64.b64decode(text)
         assert Image.open(io.BytesIO(png)).size == (320, 200)

@@ -204,5 +204,8 @@ def test_A4_pictures_come_with_the_extra(place: Place, tmp_path: Path) -> None:
     done = place.says("render", "grid.mesh", "-o", "grid.png", *look)
     assert done.returncode == 0, done.stderr
     assert (place.folder / "grid.png").read_bytes().startswith(b"\x89PNG")
+    done = place.says("export", "grid.mesh", "-o", "grid.html")
+    assert done.returncode == 0, done.stderr
+    assert (place.folder / "grid.html").read_bytes().startswith(b"<!doctype html>")
     done = place.says("batch", "grid.mesh", "-o", "out.zip", *look)
     assert (done.returncode, done.stdout) == (0, "out.zip: 1 of 1 meshes\n"), done.stderr

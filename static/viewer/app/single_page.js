@@ -1,5 +1,8 @@
+import { compactIrregular } from "../exchange/compact_irregular.js";
 import { compact } from "../exchange/compact_surface.js";
+import { toPlanes } from "../exchange/planes.js";
 import { PLACE } from "../exchange/sheet.js";
+import { steps, summed } from "../exchange/steps.js";
 import { legendAlone, textOf } from "../figure/compose.js";
 import { FAMILY, INK } from "../figure/legend.js";
 import { toBase64 } from "../files/base64.js";
@@ -24,8 +27,8 @@ const STYLE = { point: 96 / 72, size: 8.5, ink: INK, family: FAMILY, counts: tru
 const BARS = 40;
 
 /** Longer side of the picture that stands until the mesh is drawn, in pixels, and how much of it is kept. */
-const POSTER = 960;
-const QUALITY = 0.8;
+const POSTER = 800;
+const QUALITY = 0.7;
 
 /** The mesh in a page of one file that opens from a disk (SPEC A7): surfaces, colours, light, and a camera to turn. */
 export class SinglePage {
@@ -48,8 +51,13 @@ export class SinglePage {
     const colours = await this.#colours(metrics, numbers);
     const about = await this.#about(wanted);
     /** @type {Sheet} */
-    const sheet = { ...this.#scene(), shots: cells, colours, numbers, about };
-    return filled(shell, about, poster, toBase64(await gzipped(pack(sheet))));
+    const sheet = { ...this.#scene(), shots: cells, colours, numbers: steps(numbers), about };
+    return filled(
+      shell,
+      about,
+      poster,
+      toBase64(await gzipped(pack(/** @type {object} */ (toPlanes(sheet))))),
+    );
   }
 
   /** @param {Wanted} wanted @returns {Wanted} */
@@ -80,7 +88,7 @@ export class SinglePage {
     return {
       status: { camera, colour, separation, silhouette, see_through, irregular, lighting, background },
       mesh: { centre, diagonal, frame, cells, outline },
-      irregular: irregular.mode > 0 ? (drawing.records.irregular ?? null) : null,
+      irregular: irregular.mode > 0 ? compactIrregular(drawing.records.irregular, irregular.boundary) : null,
     };
   }
 
@@ -197,7 +205,7 @@ function plainQuads({ positions, normals }) {
  */
 function renumbered(shots) {
   const seen = new Set();
-  for (const { surface } of shots) for (const face of surface.faces) seen.add(face >>> 3);
+  for (const { surface } of shots) for (const face of summed(surface.faces)) seen.add(face >>> 3);
   const numbers = Uint32Array.from(seen).sort();
   const places = new Map(Array.from(numbers, (cell, place) => [cell, place]));
   const place = (/** @type {number} */ cell) => places.get(cell) ?? 0;
@@ -207,14 +215,9 @@ function renumbered(shots) {
 
 /** @param {Compact} surface @param {(cell: number) => number} place @returns {Compact} */
 function withCells(surface, place) {
-  let [before, last] = [0, 0];
-  const cells = surface.cells.map((step) => {
-    before += step;
-    const [now, from] = [place(before), last];
-    last = now;
-    return now - from;
-  });
-  return { ...surface, cells, faces: surface.faces.map((face) => place(face >>> 3) * 8 + (face & 7)) };
+  const cells = steps(summed(surface.cells).map(place));
+  const faces = summed(surface.faces).map((face) => place(face >>> 3) * 8 + (face & 7));
+  return { ...surface, cells, faces: steps(faces) };
 }
 
 /**

@@ -1,3 +1,4 @@
+import { steps, summed } from "./steps.js";
 import { welded } from "./welded.js";
 
 /**
@@ -11,10 +12,11 @@ import { welded } from "./welded.js";
  * @property {Float32Array} points 3 each
  * @property {Int32Array} corners the point of each vertex, as the step from the one before
  * @property {Uint32Array | null} quads
- * @property {Int16Array} normals 3 of each face, or of each vertex where there are quads
+ * @property {Int16Array} normals 3 of each vertex where there are quads; of flat faces those that their corners don't tell
+ * @property {Int32Array} turned flat faces whose normals these are, as steps
  * @property {Int32Array} cells 1 of each face, or of each vertex, as the step from the one before
  * @property {Uint8Array} inside 1 of each face, or of each vertex
- * @property {Uint32Array} faces
+ * @property {Int32Array} faces as steps
  * @property {Int32Array} edges two points each, as steps
  * @property {Uint8Array} edge_cells
  * @property {Uint32Array} edge_faces
@@ -22,6 +24,9 @@ import { welded } from "./welded.js";
 
 /** Vertices of a flat face. */
 const FLAT = 4;
+
+/** By so much, of 32767, a normal may be another for having been rounded. */
+const ROUNDING = 4;
 
 /** @param {Surface} surface @returns {Compact} */
 export function compact(surface) {
@@ -31,20 +36,19 @@ export function compact(surface) {
   all.set(positions);
   all.set(edges, positions.length);
   const { ids, firsts } = welded(all);
-  const count = cells.length / every;
   const points = new Float32Array(3 * firsts.length);
   firsts.forEach((corner, k) => points.set(all.subarray(3 * corner, 3 * corner + 3), 3 * k));
-  const flat = new Int16Array(3 * count);
-  for (let k = 0; k < count; k++) flat.set(normals.subarray(4 * every * k, 4 * every * k + 3), 3 * k);
+  const { told, turned } = quads ? { told: everyNormal(normals), turned: [] } : untold(normals, positions);
   return {
     mode,
     points,
     corners: steps(ids.subarray(0, positions.length / 3)),
     quads,
-    normals: flat,
+    normals: Int16Array.from(told),
+    turned: steps(Uint32Array.from(turned)),
     cells: steps(cells.filter((_, k) => k % every === 0)),
     inside: inside.filter((_, k) => k % every === 0),
-    faces,
+    faces: steps(faces),
     edges: steps(ids.subarray(positions.length / 3)),
     edge_cells,
     edge_faces,
@@ -52,43 +56,80 @@ export function compact(surface) {
 }
 
 /** @param {Compact} record @returns {Surface} */
-export function expanded({
-  mode,
-  points,
-  corners,
-  quads,
-  normals,
-  cells,
-  inside,
-  faces,
-  edges,
-  edge_cells,
-  edge_faces,
-}) {
+export function expanded(record) {
+  const { mode, points, quads, inside, edge_cells, edge_faces } = record;
   const every = quads ? 1 : FLAT;
-  const count = corners.length;
-  const positions = placed(summed(corners), points);
-  const outward = new Int16Array(4 * count);
-  const [all, side] = [new Uint32Array(count), new Uint8Array(count)];
-  const own = summed(cells);
+  const positions = placed(summed(record.corners), points);
+  const count = positions.length / 3;
+  const [cells, side] = [new Uint32Array(count), new Uint8Array(count)];
+  const own = summed(record.cells);
   for (let vertex = 0; vertex < count; vertex++) {
     const face = Math.floor(vertex / every);
-    outward.set(normals.subarray(3 * face, 3 * face + 3), 4 * vertex);
-    all[vertex] = own[face];
+    cells[vertex] = own[face];
     side[vertex] = inside[face];
   }
   return {
     mode,
     positions,
-    normals: outward,
-    cells: all,
+    normals: quads ? fourfold(record.normals, 1) : flatNormals(positions, record),
+    cells,
     inside: side,
     quads,
-    faces,
-    edges: placed(summed(edges), points),
+    faces: summed(record.faces),
+    edges: placed(summed(record.edges), points),
     edge_cells,
     edge_faces,
   };
+}
+
+/** @param {Int16Array} normals 4 each @returns {number[]} 3 each */
+function everyNormal(normals) {
+  return [...normals.filter((_, k) => k % 4 !== 3)];
+}
+
+/**
+ * Normals of flat faces that are not those of their diagonals, as of faces without area.
+ *
+ * @param {Int16Array} normals @param {Float32Array} positions
+ */
+function untold(normals, positions) {
+  /** @type {{ told: number[], turned: number[] }} */
+  const found = { told: [], turned: [] };
+  for (let face = 0; face < positions.length / 12; face++) {
+    const own = normals.subarray(16 * face, 16 * face + 3);
+    const guess = diagonalNormal(positions, 12 * face);
+    if (own.every((part, k) => Math.abs(part - guess[k]) <= ROUNDING)) continue;
+    found.told.push(...own);
+    found.turned.push(face);
+  }
+  return found;
+}
+
+/** @param {Float32Array} positions @param {Pick<Compact, "normals" | "turned">} record */
+function flatNormals(positions, { normals, turned }) {
+  const each = new Int16Array(positions.length / 4);
+  for (let face = 0; face < each.length / 3; face++) each.set(diagonalNormal(positions, 12 * face), 3 * face);
+  summed(turned).forEach((face, k) => each.set(normals.subarray(3 * k, 3 * k + 3), 3 * face));
+  return fourfold(each, FLAT);
+}
+
+/** The cross of a face's diagonals, as the core has it (`hexalab.surface.normals`). @param {Float32Array} positions @param {number} at @returns {[number, number, number]} */
+function diagonalNormal(positions, at) {
+  const [a, b] = [6, 9].map((to, k) =>
+    [0, 1, 2].map((axis) => positions[at + to + axis] - positions[at + 3 * k + axis]),
+  );
+  const cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+  const length = Math.hypot(...cross) || 1;
+  const part = (/** @type {number} */ axis) => Math.round((32767 * cross[axis]) / length);
+  return [part(0), part(1), part(2)];
+}
+
+/** Normals with their spare fourth number, each so often. @param {Int16Array} normals 3 each @param {number} often */
+function fourfold(normals, often) {
+  const out = new Int16Array((normals.length / 3) * 4 * often);
+  for (let k = 0; k < out.length / 4; k++)
+    out.set(normals.subarray(3 * Math.floor(k / often), 3 * Math.floor(k / often) + 3), 4 * k);
+  return out;
 }
 
 /** @param {Uint32Array} ids @param {Float32Array} points */
@@ -98,15 +139,4 @@ function placed(ids, points) {
     for (let axis = 0; axis < 3; axis++) out[3 * k + axis] = points[3 * id + axis];
   });
   return out;
-}
-
-/** Each number less the one before. @param {Uint32Array} numbers */
-function steps(numbers) {
-  return Int32Array.from(numbers, (number, k) => number - (k ? numbers[k - 1] : 0));
-}
-
-/** @param {Int32Array} numbers */
-function summed(numbers) {
-  let sum = 0;
-  return Uint32Array.from(numbers, (step) => (sum += step));
 }

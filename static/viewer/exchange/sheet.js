@@ -4,10 +4,10 @@
  * @typedef {object} Sheet
  * @property {import("../state/status.js").PartialStatus & { camera: import("../state/status.js").Status["camera"] }} status what the scene draws by
  * @property {import("../geometry/records.js").MeshFrame} mesh
- * @property {import("../geometry/records.js").Irregular | null} irregular
+ * @property {import("./compact_irregular.js").CompactIrregular | null} irregular
  * @property {readonly Shot[]} shots one for each slice, one at least
  * @property {readonly Colouring[]} colours one at least
- * @property {Uint32Array} numbers of the cells in the whole mesh
+ * @property {Int32Array} numbers of the cells in the whole mesh, as steps
  * @property {About} about
  *
  * @typedef {object} Shot  what is shown under one slice

@@ -1,3 +1,4 @@
+import { fromPlanes } from "../exchange/planes.js";
 import { fromBase64 } from "../files/base64.js";
 import { gunzipped } from "../files/gzip.js";
 import { unpack } from "../files/packing.js";
@@ -27,7 +28,7 @@ try {
 async function start() {
   const packed = document.getElementById("sheet")?.textContent ?? "";
   const sheet = /** @type {Sheet} */ (
-    /** @type {unknown} */ (unpack(await gunzipped(fromBase64(packed.trim()))))
+    /** @type {unknown} */ (fromPlanes(unpack(await gunzipped(fromBase64(packed.trim())))))
   );
   /** @type {BakedLight | null} */
   let light = null;

@@ -1,10 +1,13 @@
+import { expandedIrregular } from "../exchange/compact_irregular.js";
 import { expanded } from "../exchange/compact_surface.js";
+import { summed } from "../exchange/steps.js";
 
 /** What of a sheet is on the screen: one of its slices under one of its colours. */
 export class Shown {
   #sheet;
   #scene;
   #light;
+  #numbers;
   /** @type {import("../exchange/sheet.js").Shot} */
   shot;
   /** @type {import("../exchange/sheet.js").Colouring} */
@@ -19,12 +22,13 @@ export class Shown {
     this.#sheet = sheet;
     this.#scene = scene;
     this.#light = light;
+    this.#numbers = summed(sheet.numbers);
     [this.shot] = sheet.shots;
     [this.colouring] = sheet.colours;
     scene.setMesh(sheet.mesh);
     scene.setStatus(sheet.status);
     this.slice(0);
-    scene.setIrregular(sheet.irregular);
+    scene.setIrregular(sheet.irregular && expandedIrregular(sheet.irregular));
     this.colour(0);
   }
 
@@ -58,7 +62,7 @@ export class Shown {
     this.#scene.highlight(hit?.face ?? null);
     if (!hit) return null;
     const { values } = this.colouring;
-    return { cell: this.#sheet.numbers[hit.cell], value: values ? values[hit.cell] : null };
+    return { cell: this.#numbers[hit.cell], value: values ? values[hit.cell] : null };
   }
 
   /** @param {"hover" | "click"} event @param {(at: { x: number, y: number } | null) => void} hear */

@@ -1,5 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { compactIrregular, expandedIrregular } from "../../../static/viewer/exchange/compact_irregular.js";
+import { fromPlanes, toPlanes } from "../../../static/viewer/exchange/planes.js";
 import { compact, expanded } from "../../../static/viewer/exchange/compact_surface.js";
 import { welded } from "../../../static/viewer/exchange/welded.js";
 
@@ -70,4 +72,73 @@ test("A7 a surface with shared vertices comes back as it was, and a triangle sta
     edge_faces: new Uint32Array(0),
   };
   assert.deepEqual(expanded(compact(surface)), surface);
+});
+
+test("A7 normals of faces are found again; those that their corners don't tell are kept", () => {
+  const flat = [0, 0, 0, 1, 0, 0, 1, 1, 0.5, 0, 1, 0, /* a face without area */ 0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0]; // prettier-ignore
+  const positions = Float32Array.from(flat);
+  // The cross of the diagonals 1 1 0.5 and -1 1 0 is -0.5 -0.5 2.
+  const unit = [-0.5, -0.5, 2].map((part) => Math.round((32767 * part) / Math.hypot(0.5, 0.5, 2)));
+  const rows = [unit, [0, 32767, 0]];
+  const normals = Int16Array.from(rows.flatMap((row) => [0, 1, 2, 3].flatMap(() => [...row, 0])));
+  const surface = {
+    mode: /** @type {const} */ ("lines"),
+    positions,
+    normals,
+    cells: new Uint32Array(8),
+    inside: new Uint8Array(8),
+    quads: null,
+    faces: Uint32Array.of(0, 1),
+    edges: new Float32Array(0),
+    edge_cells: new Uint8Array(0),
+    edge_faces: new Uint32Array(0),
+  };
+  const kept = compact(surface);
+  assert.deepEqual([...kept.normals], [0, 32767, 0]);
+  assert.deepEqual([...kept.turned], [1]);
+  assert.deepEqual(expanded(kept), surface);
+});
+
+test("A7 irregular edges come back as they were, without boundary ones where these are not drawn", () => {
+  const irregular = {
+    edges: Float32Array.of(0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 1, 0, 1, 1, 0, 0, 0, 0),
+    valence: Uint8Array.of(3, 5, 1),
+    boundary: Uint8Array.of(0, 0, 1),
+    ends_on_boundary: Uint8Array.of(0, 2, 3),
+    barbs: Float32Array.of(0, 0, 0, 0.45, 0, 0, 1, 0, 0, 1, 0.45, 0),
+    barb_valence: Uint8Array.of(3, 1),
+    barb_boundary: Uint8Array.of(0, 1),
+    paper: Float32Array.from({ length: 12 }, (_, k) => k),
+    paper_valence: Uint8Array.of(5),
+    paper_boundary: Uint8Array.of(0),
+    counts: { interior: { 3: 1 } },
+  };
+  const whole = compactIrregular(irregular, true);
+  assert.ok(whole);
+  assert.deepEqual(expandedIrregular(whole), irregular);
+  const inner = compactIrregular(irregular, false);
+  assert.ok(inner);
+  assert.deepEqual(expandedIrregular(inner), {
+    ...irregular,
+    edges: irregular.edges.slice(0, 12),
+    valence: Uint8Array.of(3, 5),
+    boundary: Uint8Array.of(0, 0),
+    ends_on_boundary: Uint8Array.of(0, 2),
+    barbs: irregular.barbs.slice(0, 6),
+    barb_valence: Uint8Array.of(3),
+    barb_boundary: Uint8Array.of(0),
+  });
+  assert.equal(compactIrregular(undefined, true), null);
+});
+
+test("A7 arrays come back from their planes, wherever they stand", () => {
+  const record = {
+    list: [Float32Array.of(1.5, -2, 1e-30), { deep: Int16Array.of(-1, 300), text: "planes" }],
+    bytes: Uint8Array.of(1, 2, 3),
+    none: null,
+    part: new Uint32Array(Uint32Array.of(9, 8, 7, 4e9).buffer, 4, 3),
+  };
+  const planes = /** @type {{ part: { planes: Uint8Array } }} */ (toPlanes(record));
+  assert.deepEqual([...planes.part.planes].slice(0, 3), [8, 7, 4e9 & 255]);
+  assert.deepEqual(fromPlanes(planes), { ...record, part: Uint32Array.of(8, 7, 4e9) });
 });
