@@ -73,6 +73,7 @@ def test_S5_render_makes_figures_of_each_format(
     cube: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     look = {
+        "lighting": {"mode": "none"},
         "colour": {"by": "quality"},
         "figure": {"legend": "bar", "caption": True, "width": 85, "unit": "mm"},
     }

@@ -8,13 +8,16 @@ import os
 import socket
 import subprocess
 import sys
+from argparse import Namespace
 from pathlib import Path
 
 import pytest
 
 import hexalab
-from hexalab import cli
+from hexalab import catalogue, cli
+from hexalab.cli import export
 from hexalab.cli.progress import Progress
+from hexalab.hosts.offers import FileOffer
 from tests.tools import needs
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -167,3 +170,29 @@ def test_A8_shown_cells_are_exported_by_the_core_alone(
     assert "silhouette: found 7" in err
     assert set(part.cell_data) == {"volume", "skew"}
     assert part.cell_data["volume"].tolist() == hexalab.quality(whole, "volume").tolist()
+
+
+def test_A7_a_page_has_the_reference_that_the_catalogue_knows(
+    mesh_file: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    offer = FileOffer(mesh_file, "grid.mesh")
+    entry = catalogue.Entry("doe-2025/grid", "Grid", "https://example.org/grid.mesh", sha256=offer.sha256())
+    source = catalogue.Source(
+        "doe-2025", "Hexes", ("Jane Doe",), 2025, "CGF", "10.1111/cgf.0", "authors", {"text": "Doe (2025). Hexes."},
+        (entry,),
+    )  # fmt: skip
+    monkeypatch.setattr(catalogue, "sources", lambda: [source])
+    monkeypatch.delenv(catalogue.ADDRESS_VARIABLE, raising=False)
+    typed = Namespace(reference=None, link=None)
+    told = {"reference": "Doe (2025). Hexes.", "doi": "10.1111/cgf.0", "link": ""}
+    assert export.origin(typed, offer) == told
+    monkeypatch.setenv(catalogue.ADDRESS_VARIABLE, "https://hexes.example/")
+    link = "https://hexes.example/viewer/?mesh=doe-2025/grid"
+    assert export.origin(typed, offer) == {**told, "link": link}
+    assert export.origin(Namespace(reference="mine", link=None), offer) == {"reference": "mine", "link": ""}
+
+    def nowhere() -> list[catalogue.Source]:
+        raise hexalab.HexaLabError("there is no list")
+
+    monkeypatch.setattr(catalogue, "sources", nowhere)
+    assert export.origin(typed, offer) == {"reference": "", "link": ""}
