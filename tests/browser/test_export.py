@@ -24,6 +24,7 @@ from hexalab.hosts.loopback import Loopback
 from hexalab.hosts.offers import file_offers
 
 from .conftest import grid
+from .test_ui_page import AXE, violations
 from .ui import until
 
 pytestmark = pytest.mark.browser
@@ -388,6 +389,29 @@ def test_A7_the_page_asks_nobody_and_lets_nothing_in(viewer: Page, chromium: Bro
     )
     assert tried == {"ran": False, "fetched": False}
     page.context.close()
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("size", [(1280, 800), (360, 740)])
+def test_A7_axe_finds_nothing_in_the_page(
+    viewer: Page, chromium: Browser, tmp_path: Path, scheme: Any, size: tuple[int, int]
+) -> None:
+    put(viewer, PLAIN)
+    path = tmp_path / "page.html"
+    path.write_bytes(
+        take(viewer, "page", {"metrics": ["volume"], "slices": [0, 0.5], "reference": "A (2026)."})
+    )
+    viewport = {"width": size[0], "height": size[1]}
+    context = chromium.new_context(viewport=viewport, offline=True, color_scheme=scheme)  # type: ignore[arg-type]
+    page = context.new_page()
+    page.add_init_script(AXE.read_text())
+    page.goto(path.as_uri())
+    ready(page)
+    assert violations(page) == []
+    assert page.evaluate("() => document.documentElement.scrollWidth") <= size[0]
+    box = page.locator("#canvas").bounding_box()
+    assert box and box["height"] > 250, "the picture has most of the window"
+    context.close()
 
 
 def test_A7_without_webgl_or_scripts_the_picture_stands(

@@ -21,8 +21,9 @@ from . import RENDER, missing, settings
 from .render import side
 from .tables import counted
 
-MOST_FRAMES = 720
-MOST_SECONDS = 120
+FRAMES, MOST_FRAMES = 72, 720
+SECONDS, MOST_SECONDS = 6.0, 120
+WIDTH, HEIGHT = 1280, 960
 
 
 class Way(NamedTuple):
@@ -100,10 +101,16 @@ def configure(parser: ArgumentParser) -> None:
         choices=("yes", "no"),
         help="of a surface, whether light is in its colours (default: as drawn)",
     )
-    parser.add_argument("--frames", type=frames, metavar="N", help="of a turntable, pictures (default: 72)")
-    parser.add_argument("--seconds", type=seconds, metavar="S", help="of a video, its length (default: 6)")
-    parser.add_argument("--width", type=side, metavar="N", help="of a turntable, pixels (default: 1280)")
-    parser.add_argument("--height", type=side, metavar="N", help="of a turntable, pixels (default: 960)")
+    parser.add_argument(
+        "--frames", type=frames, metavar="N", help=f"of a turntable, pictures (default: {FRAMES})"
+    )
+    parser.add_argument(
+        "--seconds", type=seconds, metavar="S", help=f"of a video, its length (default: {SECONDS:g})"
+    )
+    parser.add_argument("--width", type=side, metavar="N", help=f"of a turntable, pixels (default: {WIDTH})")
+    parser.add_argument(
+        "--height", type=side, metavar="N", help=f"of a turntable, pixels (default: {HEIGHT})"
+    )
     parser.set_defaults(run=run)
 
 
@@ -192,10 +199,13 @@ def surface(arguments: Namespace, mesh: FileOffer, status: dict[str, Any]) -> st
 
 def turntable(arguments: Namespace, mesh: FileOffer, status: dict[str, Any]) -> str:
     """Write pictures around the mesh, or a video of them."""
-    size = {"width": arguments.width or 1280, "height": arguments.height or 960}
-    turn = {name: getattr(arguments, name) for name in ("frames", "seconds") if getattr(arguments, name)}
-    made(arguments, mesh, status, "turntable", [{"format": arguments.out.suffix.lower()[1:], **size, **turn}])
-    return f"{arguments.frames or 72} pictures, "
+    count = arguments.frames or FRAMES
+    turn = {
+        "format": arguments.out.suffix.lower()[1:], "frames": count, "seconds": arguments.seconds or SECONDS,
+        "width": arguments.width or WIDTH, "height": arguments.height or HEIGHT,
+    }  # fmt: skip
+    made(arguments, mesh, status, "turntable", [turn])
+    return f"{count} pictures, "
 
 
 def made(arguments: Namespace, mesh: FileOffer, status: dict[str, Any], what: Any, words: list[Any]) -> None:

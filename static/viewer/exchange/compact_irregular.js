@@ -1,5 +1,5 @@
 import { steps, summed } from "./steps.js";
-import { welded } from "./welded.js";
+import { pointsAt, sharedPoints } from "./welded.js";
 
 /**
  * Irregular edges, barbs and flaps whose ends are points that they share; boundary ones only where they are drawn.
@@ -23,21 +23,13 @@ export function compactIrregular(record, boundary) {
   if (!record) return null;
   const kept = boundary ? record : interior(record);
   const { edges, barbs, paper, ...others } = kept;
-  const all = new Float32Array(edges.length + barbs.length + paper.length);
-  all.set(edges);
-  all.set(barbs, edges.length);
-  all.set(paper, edges.length + barbs.length);
-  const { ids, firsts } = welded(all);
-  const points = new Float32Array(3 * firsts.length);
-  firsts.forEach((corner, k) => points.set(all.subarray(3 * corner, 3 * corner + 3), 3 * k));
+  const { ids, points } = sharedPoints(edges, barbs, paper);
   return { ...others, points, ends: steps(ids), lengths: POINTS.map((list) => kept[list].length / 3) };
 }
 
 /** @param {CompactIrregular} record @returns {Irregular} */
 export function expandedIrregular({ points, ends, lengths, ...others }) {
-  const ids = summed(ends);
-  const all = new Float32Array(3 * ids.length);
-  ids.forEach((id, k) => all.set(points.subarray(3 * id, 3 * id + 3), 3 * k));
+  const all = pointsAt(summed(ends), points);
   const [edges, barbs] = lengths.map((length) => 3 * length);
   return {
     ...others,

@@ -1,5 +1,5 @@
 import { steps, summed } from "./steps.js";
-import { welded } from "./welded.js";
+import { pointsAt, sharedPoints } from "./welded.js";
 
 /**
  * A surface without what can be found again: corners that stand at one place are one point, what is the same all over a flat
@@ -32,12 +32,7 @@ const ROUNDING = 4;
 export function compact(surface) {
   const { mode, positions, normals, cells, inside, quads, faces, edges, edge_cells, edge_faces } = surface;
   const every = quads ? 1 : FLAT;
-  const all = new Float32Array(positions.length + edges.length);
-  all.set(positions);
-  all.set(edges, positions.length);
-  const { ids, firsts } = welded(all);
-  const points = new Float32Array(3 * firsts.length);
-  firsts.forEach((corner, k) => points.set(all.subarray(3 * corner, 3 * corner + 3), 3 * k));
+  const { ids, points } = sharedPoints(positions, edges);
   const { told, turned } = quads ? { told: everyNormal(normals), turned: [] } : untold(normals, positions);
   return {
     mode,
@@ -59,7 +54,7 @@ export function compact(surface) {
 export function expanded(record) {
   const { mode, points, quads, inside, edge_cells, edge_faces } = record;
   const every = quads ? 1 : FLAT;
-  const positions = placed(summed(record.corners), points);
+  const positions = pointsAt(summed(record.corners), points);
   const count = positions.length / 3;
   const [cells, side] = [new Uint32Array(count), new Uint8Array(count)];
   const own = summed(record.cells);
@@ -76,7 +71,7 @@ export function expanded(record) {
     inside: side,
     quads,
     faces: summed(record.faces),
-    edges: placed(summed(record.edges), points),
+    edges: pointsAt(summed(record.edges), points),
     edge_cells,
     edge_faces,
   };
@@ -129,14 +124,5 @@ function fourfold(normals, often) {
   const out = new Int16Array((normals.length / 3) * 4 * often);
   for (let k = 0; k < out.length / 4; k++)
     out.set(normals.subarray(3 * Math.floor(k / often), 3 * Math.floor(k / often) + 3), 4 * k);
-  return out;
-}
-
-/** @param {Uint32Array} ids @param {Float32Array} points */
-function placed(ids, points) {
-  const out = new Float32Array(3 * ids.length);
-  ids.forEach((id, k) => {
-    for (let axis = 0; axis < 3; axis++) out[3 * k + axis] = points[3 * id + axis];
-  });
   return out;
 }

@@ -44,6 +44,32 @@ export function welded(points, colours) {
   return { ids, firsts: firsts.slice(0, vertices) };
 }
 
+/**
+ * The points that corners share, each once.
+ *
+ * @param {...Float32Array} lists of corners, 3 numbers each, one after the other
+ * @returns {{ ids: Uint32Array, points: Float32Array }} the point of each corner of all lists, and the points
+ */
+export function sharedPoints(...lists) {
+  const all = new Float32Array(lists.reduce((total, { length }) => total + length, 0));
+  let at = 0;
+  for (const list of lists) {
+    all.set(list, at);
+    at += list.length;
+  }
+  const { ids, firsts } = welded(all);
+  return { ids, points: pointsAt(firsts, all) };
+}
+
+/** @param {Uint32Array} ids @param {Float32Array} points 3 numbers each @returns {Float32Array} those points, one after the other */
+export function pointsAt(ids, points) {
+  const out = new Float32Array(3 * ids.length);
+  ids.forEach((id, k) => {
+    for (let axis = 0; axis < 3; axis++) out[3 * k + axis] = points[3 * id + axis];
+  });
+  return out;
+}
+
 /** Of a point's bits (two zeros alike) and its colour: FNV-1a over words, its high bits brought down. @param {readonly number[]} words */
 function hash(...words) {
   let sum = 0x811c9dc5;
