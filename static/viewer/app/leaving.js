@@ -61,7 +61,7 @@ export class Leaving {
         reference: reference ?? (entry ? inOneLine(entry.source) : ""),
       },
     );
-    const file = new Blob([row.write(shown, tables.version)], { type: row.type });
+    const file = new Blob([await row.write(shown, tables.version)], { type: row.type });
     return { file, ending: row.id, notes: format === "stl" ? precision(centre, diagonal) : [] };
   }
 
