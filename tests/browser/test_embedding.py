@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from playwright.sync_api import Browser, Frame, Page
 
@@ -92,7 +93,11 @@ def test_A3_a_page_of_another_origin_talks_to_the_frame(other: Page, site: str, 
 def test_A3_a_file_of_the_reader_is_told_only_to_the_origin_that_the_address_names(
     other: Page, site: str, shelf: Path, tmp_path: Path
 ) -> None:
-    hexalab.write(MESH, tmp_path / "secret.mesh")
+    secret = hexalab.Mesh(
+        MESH.coordinates, MESH.corners, MESH.kinds, cell_data={"secretload": np.arange(64.0)}
+    )
+    hexalab.write(secret, tmp_path / "secret.vtk")
+    hexalab.write(MESH, tmp_path / "mine.mesh")
     port = site.rsplit(":", 1)[1]
     reading = (
         ("summary", []), ("getStatus", []), ("screenshot", []), ("figure", ["svg"]), ("quality", ["volume"]),
@@ -100,23 +105,27 @@ def test_A3_a_file_of_the_reader_is_told_only_to_the_origin_that_the_address_nam
         ("timings", []),
     )  # fmt: skip
     frame = embedded(other, site, shelf, "/viewer/?embed", by="localhost")
-    frame.locator("#file").set_input_files(tmp_path / "secret.mesh")
+    frame.locator("#file").set_input_files(tmp_path / "secret.vtk")
     until(lambda: frame.evaluate("() => window.hexalab.summary()?.cells") == 64)
     for method, args in reading:
         told = ask(other, method, *args)
         assert "result" not in told and "is a file of whoever looks at it" in told["error"], method
     assert ask(other, "setStatus", {"silhouette": 0.5})["result"] == []
+    wrong = {"colour": {"attribute": "cell:x"}, "filters": {"picking": {"hidden": [10**6]}}}
+    refused = ask(other, "setStatus", wrong)["result"]
+    assert {one["path"] for one in refused} == {"colour.attribute", "filters.picking.hidden"}
+    assert "64" not in str(refused)
     assert "secret" not in other.evaluate("() => JSON.stringify(heard)")
     sent = other.evaluate(
-        "(text) => ask('open', [new File([text], 'mine.mesh')])", (tmp_path / "secret.mesh").read_text()
+        "(text) => ask('open', [new File([text], 'mine.mesh')])", (tmp_path / "mine.mesh").read_text()
     )
     assert sent["result"]["name"] == "mine.mesh", "what the page around has sent is its own"
     assert ask(other, "quality", "volume")["result"]["count"] == 64
 
     frame = embedded(other, site, shelf, f"/viewer/?embed&origin=http://localhost:{port}", by="localhost")
-    frame.locator("#file").set_input_files(tmp_path / "secret.mesh")
+    frame.locator("#file").set_input_files(tmp_path / "secret.vtk")
     until(lambda: frame.evaluate("() => window.hexalab.summary()?.cells") == 64)
-    assert ask(other, "summary")["result"]["name"] == "secret.mesh"
+    assert ask(other, "summary")["result"]["name"] == "secret.vtk"
 
 
 def test_A3_a_frame_that_names_an_origin_neither_hears_nor_answers_another(

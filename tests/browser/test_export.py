@@ -435,6 +435,17 @@ def test_A7_without_webgl_or_scripts_the_picture_stands(
     context.close()
 
 
+def test_A7_the_site_saves_a_page_with_the_reference(page: Page, site: str, tmp_path: Path) -> None:
+    page.goto(f"{site}/viewer/?mesh=shapes/cube")
+    page.evaluate("() => window.hexalab.ready")
+    until(lambda: page.evaluate("() => window.hexalab.summary()?.findings !== undefined"), 60)
+    html = take(page, "page", {"metrics": ["scaled_jacobian"]}).decode()
+    assert "<title>Cube</title>" in html
+    assert "The HexaLab contributors (2026): HexaLab shapes" in html
+    (tmp_path / "cube.vtu").write_bytes(take(page, "cells", "vtu", {"metrics": ["volume"]}))
+    assert hexalab.read(tmp_path / "cube.vtu").cell_count == 512, "written by Python in the browser"
+
+
 # -- the dialog
 
 

@@ -97,21 +97,36 @@ export class Parent {
       const result = await call.apply(this.#api, args);
       if (method === "open") this.#theirs = this.#facts.get("summary");
       else if (METHODS.get(method)) this.#guard(); // another may have been opened meanwhile
+      if (method === "setStatus" && this.#secret) return { ...told, result: pathsOf(result) };
       return { ...told, result };
     } catch (error) {
       return { ...told, error: error instanceof Error ? error.message : String(error) };
     }
   }
 
-  /** @throws {Error} the open mesh is a file of the reader's, and the page around has not said who it is */
-  #guard() {
+  /** Whether the open mesh is a file of the reader's, and the page around has not said who it is. */
+  get #secret() {
     const summary = this.#facts.get("summary");
     const known = this.#facts.get("entry") !== null || this.#facts.get("address") !== "";
-    if (this.#origin || !summary || known || summary === this.#theirs) return;
+    return !this.#origin && summary !== null && !known && summary !== this.#theirs;
+  }
+
+  /** @throws {Error} nothing may be told of the open mesh */
+  #guard() {
+    if (!this.#secret) return;
     throw new Error(
       "the open mesh is a file of whoever looks at it: nothing is told of it, unless the frame's address names the page around (origin=https://…)",
     );
   }
+}
+
+/** Which settings could not be applied, without what the mesh has in their place. @param {unknown} rejections */
+function pathsOf(rejections) {
+  return /** @type {import("../state/answers.js").Rejection[]} */ (rejections).map(({ path }) => ({
+    path,
+    found: "something that the open mesh has not got",
+    expected: "something else",
+  }));
 }
 
 /** The origin that the frame's address names. @param {string} search */
