@@ -43,7 +43,7 @@ VERBS = {
     "view": Verb("open the viewer on files of this machine", "hexalab.cli.view"),
     "render": Verb("make a picture of a mesh", "hexalab.cli.render", RENDER),
     "export": Verb(
-        "save what is shown: cells, surface, a page in one file, a turntable", "hexalab.cli.export"
+        "save shown cells, surface, page or turntable", "hexalab.cli.export"
     ),
     "batch": Verb("make pictures and measurements of many meshes", "hexalab.cli.batch", RENDER),
     "serve": Verb("serve a built site on this machine", "hexalab.cli.serve"),
