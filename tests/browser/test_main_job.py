@@ -5,18 +5,20 @@ from __future__ import annotations
 import io
 import json
 import math
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from PIL import Image
-from playwright.sync_api import Page
+from playwright.sync_api import Browser, Page
 
 import hexalab
 from hexalab.filters.stack import FilterStack
 
 from .conftest import grid, planes
+from .ui import one_viewer
 
 DROP = """async ([url, name]) => {
     const bytes = await (await fetch(url)).arrayBuffer();
@@ -35,6 +37,19 @@ PIXELS = """async (size) => {
     for (let i = 0; i < bytes.length; i += 32768) text += String.fromCharCode(...bytes.subarray(i, i + 32768));
     return btoa(text);
 }"""
+
+
+@pytest.fixture(scope="module")
+def opened(chromium: Browser, site: str) -> Iterator[Page]:
+    with one_viewer(chromium, site) as page:
+        yield page
+
+
+@pytest.fixture
+def viewer(opened: Page) -> Page:
+    """The viewer with Python ready, under the settings that any mesh begins with."""
+    opened.evaluate("() => window.hexalab.reset()")
+    return opened
 
 
 def drop(page: Page, site: str, shelf: Path, name: str, content: bytes) -> None:
