@@ -93,7 +93,9 @@ def configure(parser: ArgumentParser) -> None:
         "--slices", type=slices, metavar="N", help="of a page, how many slices it holds, or where: 0,0.3,0.6"
     )
     parser.add_argument(
-        "--reference", metavar="TEXT", help="of a page, where the mesh is from (default: the catalogue's)"
+        "--reference",
+        metavar="TEXT",
+        help="of a page or a surface, where the mesh is from (default: the catalogue's)",
     )
     parser.add_argument("--link", metavar="ADDRESS", help="of a page, where the mesh is in the full viewer")
     parser.add_argument(
@@ -192,7 +194,8 @@ def origin(arguments: Namespace, mesh: FileOffer) -> dict[str, str]:
 
 def surface(arguments: Namespace, mesh: FileOffer, status: dict[str, Any]) -> str:
     """Write the shown surface."""
-    wanted = {} if arguments.light is None else {"light": arguments.light == "yes"}
+    wanted: dict[str, Any] = {} if arguments.light is None else {"light": arguments.light == "yes"}
+    wanted["reference"] = origin(arguments, mesh)["reference"]
     made(arguments, mesh, status, "surface", [arguments.out.suffix.lower()[1:], wanted])
     return ""
 
@@ -238,7 +241,7 @@ MESHES = tuple(dict.fromkeys(row.extension for row in WRITERS))
 WAYS = (
     Way("a mesh of the shown cells", MESHES, ("metrics", "attributes"), cells),
     Way("a page of one file", (".html",), ("metrics", "slices", "reference", "link"), page),
-    Way("the shown surface", (".glb", ".ply", ".obj", ".stl"), ("light",), surface),
+    Way("the shown surface", (".glb", ".ply", ".obj", ".stl"), ("light", "reference"), surface),
     Way("a turntable", (".zip", ".webm", ".mp4"), ("frames", "seconds", "width", "height"), turntable),
 )  # fmt: skip
 """What can be made, by the endings of file names."""

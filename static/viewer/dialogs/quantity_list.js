@@ -9,8 +9,11 @@ const TITLES = { none: "", whole: "What each cell carries", all: "Colours to cho
 /** A component of an attribute: its number ends the id. */
 const COMPONENT = /^(.*):\d+$/;
 
+/** What a vector's name has behind it in lists of numbers. */
+const MAGNITUDE = /, magnitude$/;
+
 /**
- * Quantities to tick. What is looked at is ticked when the dialog opens, and the file's attributes.
+ * Quantities to tick. When the dialog opens, what is looked at is ticked; of what cells carry, all attributes of the file are, too.
  *
  * @param {import("../widgets/bind.js").Context} context
  */
@@ -18,40 +21,48 @@ export function quantityList(context) {
   const legend = h("legend", {});
   const list = h("div", { class: "save-quantities" });
   const element = h("fieldset", { class: "save-list" }, legend, list);
-  /** @type {Set<string>} */
-  let ticked = new Set();
+  /** @type {Record<Listed, Set<string>>} */
+  let ticked = { none: new Set(), whole: new Set(), all: new Set() };
 
   /** @param {Listed} listed */
   function options(listed) {
     const rows = quantityOptions(context);
     if (listed === "all") return rows;
     const ids = new Set(rows.map(({ value }) => value));
-    return rows.filter(({ value }) => !ids.has(COMPONENT.exec(value)?.[1] ?? ""));
+    const whole = rows.filter(({ value }) => !ids.has(COMPONENT.exec(value)?.[1] ?? ""));
+    return whole.map(({ value, name }) => ({ value, name: name.replace(MAGNITUDE, "") }));
   }
 
   return {
     element,
     begin() {
       const attributes = (context.facts.get("summary")?.attributes ?? []).map(({ id }) => id);
-      ticked = new Set([quantityOf(context).id, ...attributes]);
+      const looked = quantityOf(context).id;
+      ticked = { none: new Set(), whole: new Set([looked, ...attributes]), all: new Set([looked]) };
     },
     /** @param {Listed} listed */
     show(listed) {
       element.hidden = listed === "none";
       if (element.hidden) return;
       legend.textContent = TITLES[listed];
-      list.replaceChildren(...options(listed).map(({ value, name }) => row(value, name)));
+      list.replaceChildren(...options(listed).map(({ value, name }) => row(value, name, ticked[listed])));
     },
-    chosen: () => [...ticked],
+    /** @param {Listed} listed @returns {string[]} */
+    chosen(listed) {
+      if (listed === "none") return [];
+      return options(listed)
+        .map(({ value }) => value)
+        .filter((id) => ticked[listed].has(id));
+    },
   };
 
-  /** @param {string} id @param {string} name */
-  function row(id, name) {
+  /** @param {string} id @param {string} name @param {Set<string>} among */
+  function row(id, name, among) {
     const box = h("input", {
       type: "checkbox",
       value: id,
-      checked: ticked.has(id),
-      onchange: () => void (box.checked ? ticked.add(id) : ticked.delete(id)),
+      checked: among.has(id),
+      onchange: () => void (box.checked ? among.add(id) : among.delete(id)),
     });
     return h("label", { class: "check" }, box, h("span", {}, name));
   }

@@ -21,7 +21,7 @@ export function saveDialog(context) {
   const formatRow = field("Format", format);
   const said = h("p", { class: "quiet" });
   const quantities = quantityList(context);
-  const rows = new Map(WAYS.map((way) => [way.id, way.rows(context, show)]));
+  const rows = new Map(WAYS.map((way) => [way.id, way.rows(context)]));
   const result = h("p", { class: "quiet save-result", role: "status" });
   const notes = h("ul", { class: "save-notes" });
   const save = h("button", { type: "button", class: "button button-strong", onclick: run }, "Save");
@@ -52,6 +52,7 @@ export function saveDialog(context) {
     setText(result, "");
     notes.replaceChildren();
     quantities.begin();
+    for (const row of rows.values()) row.begin();
     show();
   }
 
@@ -88,7 +89,7 @@ export function saveDialog(context) {
         notes: lacks,
       } = await way().save(context, {
         format: format.value,
-        quantities: quantities.chosen(),
+        quantities: quantities.chosen(way().quantities),
         signal: running.signal,
         report: (done, of) => setText(result, `${done} of ${counted(of, "picture")}`),
         ...rows.get(way().id)?.values(),

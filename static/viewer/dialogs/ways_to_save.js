@@ -20,6 +20,7 @@ import { numberField } from "../widgets/number_field.js";
  *
  * @typedef {object} Rows  further settings of a way
  * @property {HTMLElement} element
+ * @property {() => void} begin the dialog opens
  * @property {(format: string) => void} show
  * @property {() => Partial<Chosen>} values
  *
@@ -31,7 +32,7 @@ import { numberField } from "../widgets/number_field.js";
  * @property {boolean} [stops] whether it can be stopped
  * @property {string} [first] the format that is chosen when nothing else is
  * @property {(context: Context) => readonly { id: string, name: string }[]} formats none: there is but one
- * @property {(context: Context, changed: () => void) => Rows} rows
+ * @property {(context: Context) => Rows} rows
  * @property {(context: Context, chosen: Chosen) => Promise<Left>} save
  */
 
@@ -118,15 +119,16 @@ export const WAYS = [
 
 /** @returns {Rows} */
 function none() {
-  return { element: h("div", { hidden: true }), show: () => {}, values: () => ({}) };
+  return { element: h("div", { hidden: true }), begin: () => {}, show: () => {}, values: () => ({}) };
 }
 
 /** @param {Context} context @returns {Rows} */
 function lightRow({ app }) {
-  const box = h("input", { type: "checkbox", id: "save-light", checked: app.leaving.lit });
+  const box = h("input", { type: "checkbox", id: "save-light" });
   const element = h("div", {}, h("label", { class: "check" }, box, h("span", {}, "Light in the colours")));
   return {
     element,
+    begin: () => void (box.checked = app.leaving.lit),
     show(format) {
       const coloured = SURFACE_FORMATS.find(({ id }) => id === format)?.coloured ?? true;
       box.disabled = !coloured;
@@ -158,6 +160,7 @@ function numberRows(rows) {
   });
   return {
     element: h("div", { class: "fields" }, ...fields.map(({ element }) => element)),
+    begin: () => {},
     show(format) {
       for (const { element, formats } of fields) element.hidden = formats ? !formats.includes(format) : false;
     },
