@@ -248,3 +248,15 @@ def test_A3_what_is_shared_can_be_embedded(page: Page, site: str, shelf: Path) -
     frame = page.frame_locator("iframe")
     assert frame.get_by_role("link", name="Load the mesh Cube").is_visible()
     assert page.locator("iframe").get_attribute("title") == "Cube, HexaLab"
+
+
+def test_A3_a_file_of_ones_own_has_a_link_and_nothing_to_embed(page: Page, site: str, tmp_path: Path) -> None:
+    hexalab.write(MESH, tmp_path / "mine.mesh")
+    page.goto(f"{site}/viewer/")
+    page.evaluate("() => window.hexalab.ready")
+    page.locator("#file").set_input_files(tmp_path / "mine.mesh")
+    until(lambda: page.evaluate("() => window.hexalab.summary()?.cells") == 64)
+    page.locator("#bar").get_by_role("button", name="Share").click()
+    dialog = page.locator("#share")
+    until(lambda: "#status=" in dialog.get_by_label("Link").input_value())
+    assert dialog.get_by_label("Embed").is_hidden() and dialog.get_by_label("Badge").is_hidden()

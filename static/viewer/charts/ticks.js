@@ -15,6 +15,6 @@ export function niceTicks(low, high, about) {
 export function tickText(value) {
   const size = Math.abs(value);
   if (size !== 0 && (size < 1e-3 || size >= 1e5))
-    return value.toExponential(0).replace("e+", "e").replaceAll("-", "−");
+    return Number(value.toPrecision(3)).toExponential().replace("e+", "e").replaceAll("-", "−");
   return String(Number(value.toPrecision(4))).replace("-", "−");
 }

@@ -13,7 +13,7 @@ export function shareDialog({ app, facts }) {
     "The mesh is a file of yours: the link carries the view, and whoever opens it has to add the mesh.",
   );
   const settings = copyField("Settings", true);
-  for (const field of [link, frame, badge]) field.element.hidden = !app.host.shares;
+  link.element.hidden = !app.host.shares;
   const edit = () => {
     element.close();
     /** @type {HTMLDialogElement} */ (document.getElementById("status-editor")).showModal();
@@ -40,8 +40,9 @@ export function shareDialog({ app, facts }) {
     "Share",
     [link.element, frame.element, badge.element, local, settings.element, actions],
     async () => {
-      local.hidden =
-        !app.host.shares || !facts.get("summary") || new URLSearchParams(location.search).has("mesh");
+      const named = new URLSearchParams(location.search).has("mesh");
+      local.hidden = !app.host.shares || !facts.get("summary") || named;
+      for (const field of [frame, badge]) field.element.hidden = !app.host.shares || !named; // nobody could open it
       settings.show(app.documents.text());
       for (const field of [link, frame, badge]) field.show(""); // never that of another view
       if (!app.host.shares) return;

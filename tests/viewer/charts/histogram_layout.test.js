@@ -71,3 +71,8 @@ test("ranges that pass what a number holds have places and ticks", () => {
   assert.ok(ticks.length >= 3 && ticks.every(Number.isFinite), String(ticks));
   assert.equal(along({ ...chart, low: 5e-324, high: 1.5e-323 }, 5e-324), 0);
 });
+
+test("S5: ticks far from 1 are told in three digits, so that no two that differ read alike", () => {
+  const values = [0.00025, 0.0003, 5e-4, -1.234567e-5, 123456, 2.5e6, 1e5];
+  assert.deepEqual(values.map(tickText), ["2.5e−4", "3e−4", "5e−4", "−1.23e−5", "1.23e5", "2.5e6", "1e5"]); // prettier-ignore
+});
