@@ -11,11 +11,15 @@ from importlib import import_module
 from typing import Any, BinaryIO
 
 from . import formats
+from .cell_lists import LIST_FORMS, cell_list
 from .cells import KINDS
 from .diagnosis import Finding, diagnose, turn_round
 from .errors import HexaLabError, MeshReadError, MeshWriteError
 from .formats import FORMATS, WRITERS, write
+from .grouping import groups_of
+from .groups import Features, Group
 from .mesh import Mesh
+from .numbering import cell_numbers, cells_numbered, vertex_numbers, vertices_numbered
 from .quality import METRICS, Metric, Validity, certify, histogram, quality, quality_many, statistics
 from .selection import select_cells
 from .summary import summarise
@@ -25,17 +29,24 @@ __version__ = "1.0.0"
 __all__ = [
     "FORMATS",
     "KINDS",
+    "LIST_FORMS",
     "METRICS",
     "WRITERS",
+    "Features",
     "Finding",
+    "Group",
     "HexaLabError",
     "Mesh",
     "MeshReadError",
     "MeshWriteError",
     "Metric",
     "Validity",
+    "cell_list",
+    "cell_numbers",
+    "cells_numbered",
     "certify",
     "diagnose",
+    "groups_of",
     "histogram",
     "quality",
     "quality_many",
@@ -44,6 +55,8 @@ __all__ = [
     "show",
     "statistics",
     "summarise",
+    "vertex_numbers",
+    "vertices_numbered",
     "write",
 ]
 

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .arrays import CHUNK, Array, Floats, Ids
 from .cells import CORNERS_OF_KIND, HEXAHEDRON, KINDS
+from .groups import Features, Group, checked_features, checked_groups
 from .topology import Topology
 
 GEOMETRY = frozenset(("coordinates", "corners", "kinds"))
@@ -44,6 +45,12 @@ class Mesh:
     vertex_numbers, cell_numbers : (V,), (C,) int64 or None
         The file's own numbers of nodes and elements, in any order and with gaps; None where it has none, or where
         they are just the rows counted on.
+    first_number : int
+        What such rows are counted from: 1 where the format does so, 0 in VTK's and in meshes made by hand.
+    groups : tuple of Group
+        Named sets of cells and of vertices.
+    features : tuple of Features
+        The file's elements of lower dimension, one for each dimension that there is, the lowest first.
 
     Raises
     ------
@@ -65,6 +72,9 @@ class Mesh:
     notes: list[str] = field(default_factory=list)
     vertex_numbers: NDArray[np.int64] | None = None
     cell_numbers: NDArray[np.int64] | None = None
+    first_number: int = 0
+    groups: tuple[Group, ...] = ()
+    features: tuple[Features, ...] = ()
 
     def __post_init__(self) -> None:
         coordinates, corners, kinds = map(np.asarray, (self.coordinates, self.corners, self.kinds))
@@ -86,6 +96,8 @@ class Mesh:
             self.__dict__[name] = array
         self.vertex_numbers = numbers_of(self.vertex_numbers, self.vertex_count, "vertex_numbers")
         self.cell_numbers = numbers_of(self.cell_numbers, self.cell_count, "cell_numbers")
+        self.groups = checked_groups(self.groups, self.cell_count, self.vertex_count)
+        self.features = checked_features(self.features, self.vertex_count)
         self.check_data()
 
     def __setattr__(self, name: str, value: object) -> None:

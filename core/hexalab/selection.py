@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .arrays import Array
+from .arrays import Array, Ids
 from .errors import HexaLabError
 from .mesh import Mesh
 
@@ -13,7 +13,8 @@ from .mesh import Mesh
 def select_cells(mesh: Mesh, cells: ArrayLike) -> Mesh:
     """Make a mesh of some cells, in their order, and of the vertices that they use.
 
-    Attributes come along, and the file's own numbers of nodes and elements where it has them.
+    Attributes come along, groups with those of their members that are there, features all of whose vertices are
+    there, and the file's own numbers of nodes and elements where it has them.
 
     Parameters
     ----------
@@ -40,11 +41,10 @@ def select_cells(mesh: Mesh, cells: ArrayLike) -> Mesh:
     used = np.zeros(mesh.vertex_count, dtype=bool)
     used[corners] = True
     vertices = np.flatnonzero(used)
-    place = np.empty(mesh.vertex_count, dtype=np.int32)
-    place[vertices] = np.arange(len(vertices), dtype=np.int32)
+    vertex_place, cell_place = places(vertices, mesh.vertex_count), places(rows, mesh.cell_count)
     return Mesh(
         mesh.coordinates[:, vertices],
-        place[corners],
+        vertex_place[corners],
         mesh.kinds[rows],
         {name: values[vertices] for name, values in mesh.point_data.items()},
         {name: values[rows] for name, values in mesh.cell_data.items()},
@@ -53,7 +53,19 @@ def select_cells(mesh: Mesh, cells: ArrayLike) -> Mesh:
         notes=list(mesh.notes),
         vertex_numbers=None if mesh.vertex_numbers is None else mesh.vertex_numbers[vertices],
         cell_numbers=None if mesh.cell_numbers is None else mesh.cell_numbers[rows],
+        first_number=mesh.first_number,
+        groups=tuple(
+            group.among(cell_place if group.on == "cell" else vertex_place) for group in mesh.groups
+        ),
+        features=tuple(part.within(vertex_place) for part in mesh.features),
     )
+
+
+def places(kept: Array, count: int) -> Ids:
+    """(count,) the new row of each old one, -1 for those that are not kept."""
+    place = np.full(count, -1, dtype=np.int32)
+    place[kept] = np.arange(len(kept), dtype=np.int32)
+    return place
 
 
 def rows_of(cells: Array, count: int) -> Array:

@@ -6,10 +6,12 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .arrays import Floats
 from .cells import HEXAHEDRON
 from .diagnosis import diagnose
+from .group_facts import all_groups, listed_features
 from .mesh import Mesh
 from .packing import jsonable
 from .quality import METRICS, quality_many, statistics
@@ -33,7 +35,7 @@ def summarise(mesh: Mesh, metrics: Iterable[str] = METRICS) -> dict[str, Any]:
         Ready for JSON, with the keys `file`, `format`, `vertices`, `cells`, `kinds`, `faces`,
         `boundary_faces`, `nonmanifold_faces`, `edges`, `interior_edge_valence`, `boundary_edge_valence`,
         `cells_per_depth`, `components`, `unreferenced_vertices`, `cells_repeating_a_vertex`, `findings`,
-        `quality`. Numbers that are not finite are None.
+        `quality`, `groups`, `features`. Numbers that are not finite are None.
     """
     facts: dict[str, Any] = {
         "file": mesh.name,
@@ -47,6 +49,8 @@ def summarise(mesh: Mesh, metrics: Iterable[str] = METRICS) -> dict[str, Any]:
             for finding in diagnose(mesh)
         ],
         "quality": measures(mesh, quality_many(mesh, metrics)),
+        "groups": all_groups(mesh),
+        "features": listed_features(mesh),
     }
     found: dict[str, Any] = jsonable(facts)
     return found
@@ -92,10 +96,16 @@ STRUCTURE = {"faces": _faces, "edges": _edges, "layers": _layers, "vertices": _v
 """Parts of the facts about topology, in the order in which they are told."""
 
 
-def measures(mesh: Mesh, values: Mapping[str, Floats]) -> dict[str, dict[str, Any]]:
-    """Summarise values per cell by metric id: metric to its statistics, those of `STATISTICS`."""
+def measures(
+    mesh: Mesh, values: Mapping[str, Floats], kinds: NDArray[np.uint8] | None = None
+) -> dict[str, dict[str, Any]]:
+    """Summarise values per cell by metric id: metric to its statistics, those of `STATISTICS`.
+
+    The values are those of all cells, or of some, whose kinds are told then.
+    """
+    kinds = mesh.kinds if kinds is None else kinds
     measured = {}
     for metric, array in values.items():
-        numbers = statistics(array, METRICS[metric], mesh.kinds)
+        numbers = statistics(array, METRICS[metric], kinds)
         measured[metric] = {name: numbers[name] for name in STATISTICS}
     return measured

@@ -25,6 +25,18 @@ GROUPS = (
         ("read", "write", "FORMATS", "WRITERS", "MeshReadError", "MeshWriteError", "HexaLabError"),
     ),
     ("The mesh", ("Mesh", "KINDS", "select_cells", "summarise")),
+    ("Groups and features", ("Group", "Features", "groups_of")),
+    (
+        "The file's numbers",
+        (
+            "cell_numbers",
+            "vertex_numbers",
+            "cells_numbered",
+            "vertices_numbered",
+            "cell_list",
+            "LIST_FORMS",
+        ),
+    ),
     ("Quality", ("quality", "quality_many", "METRICS", "Metric", "statistics", "histogram")),
     ("Validity and diagnosis", ("certify", "Validity", "diagnose", "Finding")),
     ("In a notebook", ("show",)),

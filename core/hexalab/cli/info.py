@@ -15,6 +15,7 @@ from . import FINDING, MISUSE, complain
 from .tables import count, counted, quality_table
 
 LAYERS_SHOWN = 12
+GROUPS_SHOWN = 24
 
 
 def configure(parser: ArgumentParser) -> None:
@@ -78,9 +79,41 @@ def described(facts: dict[str, Any]) -> str:
     ]
     width = max(len(name) for name, _ in rows)
     lines = [facts["file"], *(f"  {name.ljust(width)}  {text}" for name, text in rows)]
+    lines += [f"  group: {told_group(group)}" for group in facts["groups"][:GROUPS_SHOWN]]
+    if len(facts["groups"]) > GROUPS_SHOWN:
+        lines.append(f"  and {len(facts['groups']) - GROUPS_SHOWN} groups more (--json lists them)")
+    lines += [f"  features: {told}" for told in told_features(facts["features"])]
     lines += [f"  finding: {finding['message']}" for finding in facts["findings"]]
     metrics = {metric.id: metric.name for metric in METRICS.values()}
     return "\n".join([*lines, "", quality_table(facts["quality"], metrics)])
+
+
+def told_group(group: dict[str, Any]) -> str:
+    """Write what a group is called, and how large it is."""
+    noun = "cell" if group["kind"] == "cells" else "vertex"
+    return f"{titled(group)}, {counted(group['count'], noun)}"
+
+
+def titled(group: dict[str, Any]) -> str:
+    """Write what a group is called: of one that is known by a number alone, with its origin."""
+    if group["name"] == str(group["number"]):
+        return f"{group['origin']} {group['name']}"
+    return f"{group['name']} ({group['origin']})"
+
+
+def told_features(features: dict[str, dict[str, Any]]) -> list[str]:
+    """Write how many elements of each lower dimension there are, and in which groups."""
+    lines = []
+    for name, part in features.items():
+        if part["count"]:
+            groups = ", ".join(
+                f"{titled(row)}: {count(row['count'])}" for row in part["groups"][:LAYERS_SHOWN]
+            )
+            more = len(part["groups"]) - LAYERS_SHOWN
+            rest = f" and {more} groups more" if more > 0 else ""
+            noun = {"corners": "corner", "edges": "edge", "faces": "face"}[name]
+            lines.append(counted(part["count"], noun) + (f"; {groups}{rest}" if groups else ""))
+    return lines
 
 
 def also(number: int, what: str) -> str:

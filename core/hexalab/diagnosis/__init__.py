@@ -15,9 +15,19 @@ from ..arrays import Array, Ids
 from ..cells import CORNERS_OF_KIND, KINDS
 from ..mesh import Mesh
 from .coincidence import coincident_vertices
+from .lost_features import Held, held_features
 from .orientation import TURNED, all_inverted, signs, turn_round
 
-__all__ = ["SEVERITIES", "TURNED", "Finding", "all_inverted", "diagnose", "turn_round"]
+__all__ = [
+    "SEVERITIES",
+    "TURNED",
+    "Finding",
+    "Held",
+    "all_inverted",
+    "diagnose",
+    "held_features",
+    "turn_round",
+]
 
 Severity = Literal["error", "warning", "note"]
 SEVERITIES: tuple[Severity, ...] = ("error", "warning", "note")
@@ -67,9 +77,12 @@ def diagnose(mesh: Mesh) -> list[Finding]:
     list of Finding
         Empty if there is nothing to say. Ids: `all_inverted`, `inverted_cells`, `degenerate_cells`,
         `invalid_corner_cells`, `repeated_cells`, `nonmanifold_faces`, `opposite_orientation`, `coincident_vertices`,
-        `turned_round`, `repeated_vertices`, `unreferenced_vertices`, `components`, `reading`.
+        `turned_round`, `lost_corners`, `lost_edges`, `lost_faces`, `repeated_vertices`, `unreferenced_vertices`,
+        `components`, `reading`.
     """
-    checks: tuple[Callable[[Mesh], Iterator[Finding]], ...] = (_shapes, _faces, _vertices, _pieces, _notes)
+    checks: tuple[Callable[[Mesh], Iterator[Finding]], ...] = (
+        _shapes, _faces, _vertices, _features, _pieces, _notes,
+    )  # fmt: skip
     found = [finding for check in checks for finding in check(mesh)]
     return sorted(found, key=lambda finding: SEVERITIES.index(finding.severity))
 
@@ -170,6 +183,23 @@ def _repeating(mesh: Mesh) -> Ids:
     distinct = 1 + (corners[1:] != corners[:-1]).sum(axis=0)
     own = np.array([len(CORNERS_OF_KIND[kind]) for kind in range(len(KINDS))])
     return np.asarray(cells[distinct < own[mesh.kinds[cells]]], dtype=np.int32)
+
+
+def _features(mesh: Mesh) -> Iterator[Finding]:
+    """Elements of lower dimension that are those of no cell."""
+    for part, there in held_features(mesh):
+        lost = int(np.count_nonzero(~there))
+        if lost:
+            one, what = part.called[:-1], ("vertex", "edge", "face")[part.dimension]
+            named = f"{lost:,} feature {one} is" if lost == 1 else f"{lost:,} feature {part.called} are"
+            vertices = np.unique(part.corners[:, ~there])
+            yield Finding(
+                f"lost_{part.called}",
+                "warning",
+                f"{named} no {what} of the mesh.",
+                lost,
+                vertices=vertices[mesh.referenced[vertices]].astype(np.int32),
+            )
 
 
 def _pieces(mesh: Mesh) -> Iterator[Finding]:

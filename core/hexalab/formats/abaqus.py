@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 
@@ -13,11 +14,13 @@ from ..mesh import Mesh
 from .abaqus_deck import Block, Deck
 from .abaqus_elements import ElementType, element_type
 from .abaqus_fields import count_of_elements
+from .abaqus_groups import Placed, Resolver
 from .abaqus_rows import ElementRows, element_rows, node_error, node_rows
 from .abaqus_scopes import ASSEMBLY, DECK, INSTANCE, PART, Scope, model
-from .abaqus_sets import Sets
+from .abaqus_sets import ELSET, NO_NUMBERS, NSET, plain
 from .abaqus_systems import COORDINATES, HERE, Placement, instance_placement, node_system
 from .assembly import WEDGE_OF_OTHERS, Assembly, CellBlock, check_finite
+from .feature_blocks import joined_features, named_apart
 from .file import File
 from .ids import Numbering
 
@@ -52,13 +55,13 @@ class Reader:
         self.file = file
         self.deck = Deck(file)
         self.out = Assembly(file, "inp")
-        self.sets = Sets()
         self.loose = Scope(DECK)
         self.scopes = [self.loose]
         self.scope = self.loose
         self.assembly = self.loose
         self.system: Placement = HERE
         self.has_fluid_cavities = False
+        self.cells = 0
         self.surplus: dict[ElementType, int] = {}
         self.handlers: dict[str, Callable[[Block], None]] = {
             "NODE": self.nodes,
@@ -82,12 +85,13 @@ class Reader:
         """
         for block in self.deck.blocks():
             keyword = block.keyword
-            self.sets.add(keyword)
             if keyword.name in NOT_FOLLOWED:
                 self.out.note(NOT_FOLLOWED[keyword.name])
             self.has_fluid_cavities |= keyword.name == "FLUIDPROPERTY"
             handler = self.handlers.get(keyword.name)
-            if handler and (not block.goes_on or keyword.name in ("NODE", "ELEMENT")):
+            if handler is None:
+                self.scope.defined.read(block)
+            elif not block.goes_on or keyword.name in ("NODE", "ELEMENT"):
                 handler(block)
         if not self.deck.keywords:
             raise self.file.error("the file has no keyword such as *NODE", line_at=0)
@@ -95,10 +99,7 @@ class Reader:
             raise self.file.error("the file has no *NODE section" + self.missing(), line_at=0)
         if self.deck.missing:
             self.out.note(f"Not all of the deck is here{self.missing()}.")
-        self.join()
-        if self.sets.note():
-            self.out.note(self.sets.note())
-        return self.out.mesh()
+        return self.join()
 
     def missing(self) -> str:
         """The part of a sentence that names files which are included and not there."""
@@ -166,6 +167,7 @@ class Reader:
         if letter not in COORDINATES:
             raise block.error(f"*NODE, SYSTEM={letter} is unknown, expected R, C or S")
         to_rectangular = COORDINATES[letter]
+        self.put_into_set(block, NSET, tags)
         if len(tags):
             self.scope.tags.append(tags)
             self.scope.points.append(self.system(to_rectangular(points) if to_rectangular else points))
@@ -178,16 +180,23 @@ class Reader:
             left_out = self.scope.left_out
             called = f"elements of type {name[:20] or 'unknown'}"
             left_out[called] = left_out.get(called, 0) + count_of_elements(block)
+            self.put_into_set(block, ELSET, NO_NUMBERS)
             return
         rows = element_rows(block, kind)
+        self.put_into_set(block, ELSET, rows.numbers)
         if len(rows.numbers):
             self.scope.elements.append(rows)
         if rows.surplus:
             self.surplus[kind] = self.surplus.get(kind, 0) + rows.surplus
 
+    def put_into_set(self, block: Block, kind: str, numbers: Array) -> None:
+        """Put what a block defines into the set that its keyword names."""
+        if name := plain(block.keyword.options.get(kind, "")):
+            self.scope.defined.put(kind, name, numbers)
+
     # -- the whole
 
-    def join(self) -> None:
+    def join(self) -> Mesh:
         """Join the scopes that are in the model, their vertices one after the other."""
         shown, notes = model(self.scopes)
         for note in notes:
@@ -195,15 +204,18 @@ class Reader:
         with_nodes = [scope for scope in shown if scope.tags]
         if not with_nodes:
             raise self.file.error("no part that is instanced has nodes", line_at=0)
-        orphans = [rows for scope in shown if not scope.tags for rows in scope.elements]
+        places = {id(scope): Placed(scope, Numbering(NO_NUMBERS), 0) for scope in shown}
+        orphans = [(scope, rows) for scope in shown if not scope.tags for rows in scope.elements]
         first, moved, repeated = 0, 0, 0
         all_points: list[Floats] = []
         all_tags: list[Array] = []
         for scope in with_nodes:
             tags, points, again = scope.nodes()
-            numbering = Numbering(tags)
-            for rows in scope.elements + (orphans if scope is with_nodes[0] else []):
-                self.add(rows, numbering, first)
+            placed = places[id(scope)]
+            placed.nodes, placed.first_node = Numbering(tags), first
+            own = [(scope, rows) for rows in scope.elements]
+            for owner, rows in own + (orphans if scope is with_nodes[0] else []):
+                self.add(rows, placed, places[id(owner)])
             all_tags.append(tags)
             all_points.append(points)
             first += len(tags)
@@ -215,6 +227,16 @@ class Reader:
         self.note_repeated(moved, repeated)
         self.out.coordinates = np.concatenate(all_points, axis=1)
         self.out.vertex_numbers = np.concatenate(all_tags)
+        return self.grouped(self.out.mesh(), list(places.values()))
+
+    def grouped(self, mesh: Mesh, scopes: list[Placed]) -> Mesh:
+        """The mesh with the sets and surfaces of the deck."""
+        resolver = Resolver(scopes, mesh, self.out.note)
+        groups = named_apart(list(resolver.groups()))
+        features = joined_features(resolver.features(), mesh.vertex_count, self.out.note)
+        for note in resolver.notes():
+            self.out.note(note)
+        return replace(mesh, groups=tuple(groups), features=features)
 
     def note_repeated(self, nodes: int, elements: int) -> None:
         """Note numbers that were given twice, and nodes in excess."""
@@ -228,15 +250,15 @@ class Reader:
                 "the surplus is passed over."
             )
 
-    def add(self, rows: ElementRows, numbering: Numbering, first: int) -> None:
-        """Add elements to the mesh."""
+    def add(self, rows: ElementRows, nodes: Placed, owner: Placed) -> None:
+        """Add elements to the mesh, whose nodes are those of one scope and whose numbers are another's."""
         kind = rows.type.kind
         if self.has_fluid_cavities and rows.type.name.startswith("F3D4"):
             self.out.leave_out(f"faces of fluid cavities, of type {rows.type.name}", len(rows.numbers))
             return
         own = CORNERS[kind]
         order = list(WEDGE_OF_OTHERS) if kind == WEDGE else list(range(own))
-        corners = numbering.places(np.ascontiguousarray(rows.nodes[:, order].T))
+        corners = nodes.nodes.places(np.ascontiguousarray(rows.nodes[:, order].T))
         missing = corners < 0
         if missing.any():
             cell = int(np.argmax(missing.any(axis=0)))
@@ -244,18 +266,18 @@ class Reader:
             message = f"element {int(rows.numbers[cell])} refers to node {node}, which is missing"
             raise rows.error(message + self.missing(), cell)
         if rows.type.least > own:
-            nodes = rows.type.least
-            self.out.note(f"Cells of higher order (elements of {nodes} nodes) are shown by their corners.")
-        self.out.blocks.append(CellBlock(kind, corners + np.int32(first), self.locate, numbers=rows.numbers))
+            most = rows.type.least
+            self.out.note(f"Cells of higher order (elements of {most} nodes) are shown by their corners.")
+        start = self.cells
+        self.cells += len(rows.numbers)
+        owner.numbers.append(rows.numbers)
+        owner.rows.append(np.arange(start, self.cells))
+        corners = corners + np.int32(nodes.first_node)
+        self.out.blocks.append(CellBlock(kind, corners, self.locate, numbers=rows.numbers))
 
     def locate(self, message: str, _cell: int, _corner: int) -> MeshReadError:
         """An error without a line; nodes that are missing have been found in `add`, with theirs."""
         return self.file.error(message, line_at=0)
-
-
-def plain(name: str) -> str:
-    """A name without quotes around it."""
-    return name.strip("\"' ")
 
 
 def counted(count: int, what: str) -> str:

@@ -42,6 +42,14 @@ NAME = re.compile(rf"({'|'.join(FAMILIES)})(\d{{1,2}})([A-Z]*)")
 LINE = re.compile(r"GK3D\d+L.*")
 """Gasket elements along a line: plane, though their names look like those of tetrahedra and wedges."""
 
+FACES = {
+    HEXAHEDRON: ((0, 1, 2, 3), (4, 7, 6, 5), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0)),
+    WEDGE: ((0, 1, 2), (3, 5, 4), (0, 3, 4, 1), (1, 4, 5, 2), (2, 5, 3, 0)),
+    PYRAMID: ((0, 1, 2, 3), (0, 4, 1), (1, 4, 2), (2, 4, 3), (3, 4, 0)),
+    TETRAHEDRON: ((0, 1, 2), (0, 3, 1), (1, 3, 2), (2, 3, 0)),
+}
+"""Nodes of the faces S1, S2, ... of each kind (Abaqus Elements Guide, "Three-dimensional solid element library")."""
+
 VARIABLE = (("C3D27", 21, 27), ("C3D15V", 15, 18))
 """Types whose nodes in the middle of faces may be missing: fewest and most nodes."""
 

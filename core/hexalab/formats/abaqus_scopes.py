@@ -8,6 +8,7 @@ import numpy as np
 
 from ..arrays import Array, Floats
 from .abaqus_rows import ElementRows
+from .abaqus_sets import Definitions
 from .abaqus_systems import HERE, Placement
 
 DECK, PART, ASSEMBLY, INSTANCE = "deck", "part", "assembly", "instance"
@@ -31,6 +32,8 @@ class Scope:
     elements : list of ElementRows
     left_out : dict of str to int
         How many elements of other types there are.
+    defined : Definitions
+        Sets, surfaces, sections.
     """
 
     kind: str
@@ -41,6 +44,7 @@ class Scope:
     points: list[Floats] = field(default_factory=list)
     elements: list[ElementRows] = field(default_factory=list)
     left_out: dict[str, int] = field(default_factory=dict)
+    defined: Definitions = field(default_factory=Definitions)
 
     @property
     def empty(self) -> bool:
@@ -62,6 +66,7 @@ class Scope:
         return Scope(
             INSTANCE, self.name, self.part, self.placement,
             part.tags + self.tags, part.points + self.points, part.elements + self.elements, left_out,
+            part.defined + self.defined,
         )  # fmt: skip
 
     def nodes(self) -> tuple[Array, Floats, int]:

@@ -11,8 +11,11 @@ from numpy.typing import NDArray
 from ..arrays import Array, Floats, Ids
 from ..cells import COLLAPSE, HEXAHEDRON, KINDS
 from ..errors import MeshReadError
+from ..groups import Group
 from ..mesh import Mesh
+from .feature_blocks import FeatureBlock, joined_features, named_apart
 from .file import File
+from .group_arrays import taken_groups
 from .ids import LARGEST_ID
 
 WEDGE_OF_OTHERS = (0, 2, 1, 3, 5, 4)
@@ -58,6 +61,8 @@ class Assembly:
         The file.
     format_id : str
         Row of the registry.
+    first_number : int
+        What cells and vertices are counted from where the file gives them no numbers.
     """
 
     file: File
@@ -69,6 +74,10 @@ class Assembly:
     cell_data: dict[str, Array] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
     left_out: dict[str, int] = field(default_factory=dict)
+    groups: list[Group] = field(default_factory=list)
+    features: list[FeatureBlock] = field(default_factory=list)
+    first_number: int = 1
+    cell_numbers: Array | None = None
 
     def note(self, sentence: str) -> None:
         """Add a note, once."""
@@ -112,22 +121,40 @@ class Assembly:
                 f"Left out, as they are no volumetric cells that can be shown: {self.counts_left_out()}."
             )
         corners, kinds = joined(blocks)
+        point_data = fitting(self.point_data, vertex_count)
+        cell_data = fitting(self.cell_data, len(kinds))
+        groups = [*self.groups, *taken_groups(cell_data, "cell"), *taken_groups(point_data, "vertex")]
         return Mesh(
             self.coordinates,
             corners,
             kinds,
-            point_data=fitting(self.point_data, vertex_count),
-            cell_data=fitting(self.cell_data, len(kinds)),
+            point_data=point_data,
+            cell_data=cell_data,
             name=self.file.name,
             format=self.format_id,
             notes=self.notes,
-            vertex_numbers=own_numbers(self.vertex_numbers),
-            cell_numbers=own_numbers(joined_numbers(blocks)),
+            vertex_numbers=self.own_numbers(self.vertex_numbers, vertex_count),
+            cell_numbers=self.own_numbers(
+                joined_numbers(blocks) if self.cell_numbers is None else self.cell_numbers, len(kinds)
+            ),
+            first_number=self.first_number,
+            groups=tuple(named_apart(groups)),
+            features=joined_features(self.features, vertex_count, self.note),
         )
+
+    def own_numbers(self, numbers: Array | None, count: int) -> NDArray[np.int64] | None:
+        """The numbers if there is one for each entry and they say more than the rows, counted on, do; else None."""
+        if numbers is None or len(numbers) != count:
+            return None
+        if (numbers == np.arange(self.first_number, self.first_number + count)).all():
+            return None
+        return numbers.astype(np.int64)
 
     def nothing_to_show(self) -> str:
         """The sentence for a file without volumetric cells."""
         wanted = "expected hexahedra, wedges, pyramids or tetrahedra"
+        for block in self.features:
+            self.leave_out(block.called, block.count)
         if not self.left_out:
             return f"the file has no cells: {wanted}" + (
                 f" ({' '.join(self.notes[:2])})" if self.notes else ""
@@ -194,13 +221,6 @@ def joined_numbers(blocks: list[CellBlock]) -> Array | None:
         out[slice(start, start + len(own)) if block.cells is None else block.cells] = own
         start += len(own)
     return out
-
-
-def own_numbers(numbers: Array | None) -> NDArray[np.int64] | None:
-    """The numbers if they say more than the rows, counted from 1, do; else None."""
-    if numbers is None or (numbers == np.arange(1, len(numbers) + 1)).all():
-        return None
-    return numbers.astype(np.int64)
 
 
 def fitting(arrays: Mapping[str, Array], count: int) -> dict[str, Array]:

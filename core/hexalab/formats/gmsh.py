@@ -1,7 +1,8 @@
 """Gmsh `.msh` 1, 2, 3, 4.0 and 4.1, ASCII and binary (SPEC R5).
 
 Nodes may carry any numbers, with gaps. Cells keep the attributes "physical" (group), "entity" (of the geometry) and
-"partition", and what $NodeData and $ElementData hold by name.
+"partition", and what $NodeData and $ElementData hold by name; elements of lower dimension are features. Physical groups
+are groups, with their names.
 """
 
 from __future__ import annotations
@@ -20,7 +21,8 @@ from .gmsh1 import Gmsh1
 from .gmsh2 import Gmsh2
 from .gmsh3 import Gmsh3
 from .gmsh4 import LAYOUTS, Gmsh4
-from .gmsh_data import named_groups, read_data, title_of
+from .gmsh_data import names_of_groups, read_data, title_of
+from .gmsh_groups import add_features, groups_of_cells
 from .gmsh_numbers import Numbers
 from .gmsh_parts import Elements, Nodes
 from .ids import Numbering, narrowed
@@ -62,6 +64,7 @@ class Reader:
         self.nodes: Nodes | None = None
         self.elements: list[Elements] = []
         self.data: list[tuple[str, str, Array, Array]] = []
+        self.names: dict[tuple[int, int], str] = {}
 
     def read(self) -> Mesh:
         """Read section after section; cells come in the order of the file, whatever their types.
@@ -111,7 +114,7 @@ class Reader:
             end = text.data.find(mark, text.position)
             if end < 0:
                 raise self.numbers.error(f"the file ends before {quoted(mark)[1:-1]}", start)
-            self.note_skipped(word, text.data[start:end])
+            self.others(word, text.data[start:end])
             text.position = end
         self.end(word, mark)
 
@@ -139,10 +142,10 @@ class Reader:
             f"{quoted(word)[1:-1]} holds more than it announces, {len(surplus.split()):,} numbers: passed over."
         )
 
-    def note_skipped(self, word: bytes, content: bytes) -> None:
-        """Say what is lost of a section that is not read, where a mesh has a use for it."""
-        if word == b"$PhysicalNames" and (names := named_groups(content)):
-            self.out.note(names)
+    def others(self, word: bytes, content: bytes) -> None:
+        """Take the names of groups; say what is lost of a section that is not read, where a mesh has a use for it."""
+        if word == b"$PhysicalNames":
+            self.names = names_of_groups(content)
         elif word == b"$ElementNodeData":
             self.out.note(
                 f"Values at the nodes of each element were left out: {title_of(content)} ($ElementNodeData)."
@@ -162,7 +165,8 @@ class Reader:
 
     def cells(self, numbering: Numbering) -> None:
         """Turn elements into blocks of cells and hand over the attributes."""
-        parts = [part for part in self.elements if len(part.tags)]
+        parts = [part for part in self.elements if len(part.tags) and part.dimension == 3]
+        add_features(self.out, self.elements, numbering, self.names)
         if not parts:
             return
         ordinals = np.concatenate([part.ordinals for part in parts])
@@ -184,6 +188,7 @@ class Reader:
             values = np.concatenate(owners)[order]
             if values.any():
                 self.out.cell_data[name] = narrowed(values)
+        self.out.groups += groups_of_cells(parts, place, self.names)
         cells = Numbering(tags)
         for target, name, numbers, rows in self.data:
             on_cells = target == "$ElementData"

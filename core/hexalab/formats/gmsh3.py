@@ -11,6 +11,7 @@ from ..arrays import Array
 from .byte_order import as_coordinates, native
 from .gmsh_parts import Elements, Nodes, Rows, nodes_of, sound
 from .gmsh_sections import Lines
+from .gmsh_types import DIMENSION
 from .row_chain import RowForm
 
 
@@ -26,7 +27,8 @@ LINES = RowForm((1, 3), _line_length)
 class Gmsh3(Lines):
     """Reads the sections of a version 3 file."""
 
-    physical_of_volume: Array = np.zeros((2, 0), dtype=np.int64)
+    physical_of: tuple[Array, ...] = (np.zeros((2, 0), dtype=np.int64),) * 4
+    """For each dimension: entities, rising, and their physical groups."""
 
     def nodes(self) -> Nodes:
         """Read what follows `$Nodes`: number, x, y, z, and the entity for parametric nodes, 0 for others.
@@ -57,30 +59,35 @@ class Gmsh3(Lines):
             )
 
     def elements(self) -> list[Elements]:
-        """Read what follows `$Elements`; what isn't volumetric is counted; raises MeshReadError."""
+        """Read what follows `$Elements`; raises MeshReadError."""
         values, count, begin = self.element_values("$Elements", b"$EndElements")
         at = self.starts(values, count, LINES, "$Elements")
         entities, none = values[at + 2], np.zeros(len(at), dtype=np.int32)
-        volumes, groups = self.physical_of_volume
-        found = np.searchsorted(volumes, entities).clip(max=max(0, len(volumes) - 1))
-        physicals = np.where(volumes[found] == entities, groups[found], 0) if len(volumes) else none
-        rows = Rows(values, at + 4, values[at + 1], values[at], entities, physicals, none, begin)
+        types = values[at + 1]
+        physicals = np.zeros(len(at), dtype=np.int64)
+        for dimension, (known, groups) in enumerate(self.physical_of):
+            if not len(known):
+                continue
+            found = np.searchsorted(known, entities).clip(max=len(known) - 1)
+            own = (known[found] == entities) & (DIMENSION[types] == dimension)
+            physicals[own] = groups[found[own]]
+        rows = Rows(values, at + 4, types, values[at], entities, physicals, none, begin)
         return rows.by_type(self.out)
 
     def entities(self) -> None:
-        """Read which physical group each volume belongs to: text, in binary files too."""
+        """Read which physical group each entity belongs to, the first: text, in binary files too."""
         text = self.numbers.text
         counts = [self.numbers.count(text.integer("the number of entities"), 2, "entities") for _ in range(4)]
-        rows = []
+        rows: list[list[tuple[int, int]]] = [[], [], [], []]
         for dimension, count in enumerate(counts):
             for _ in range(count):
                 tag = text.integer("an entity's number")
                 if dimension:
                     self.tags()
                 groups = self.tags()
-                if dimension == 3 and groups and max(tag, abs(groups[0])) < 2**31:
-                    rows.append((tag, abs(groups[0])))
-        self.physical_of_volume = np.array(sorted(rows), dtype=np.int64).reshape(-1, 2).T
+                if groups and max(abs(tag), abs(groups[0])) < 2**31:
+                    rows[dimension].append((tag, abs(groups[0])))
+        self.physical_of = tuple(np.array(sorted(some), dtype=np.int64).reshape(-1, 2).T for some in rows)
 
     def tags(self) -> list[int]:
         """A counted list of whole numbers."""

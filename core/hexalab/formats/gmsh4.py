@@ -15,13 +15,13 @@ from .gmsh_numbers import Numbers
 from .gmsh_parts import NODES_OF_TYPE, Elements, Nodes, own_corners
 from .ids import whole_tags
 
-SEVERAL = "A volume belongs to several physical groups: its cells are counted to the first."
+SEVERAL = "A volume belongs to several physical groups: the attribute “physical” names the first."
 
 
-class Volume(NamedTuple):
-    """What the elements of a volume belong to: physical group, volume of the geometry, partition; 0 for none."""
+class Entity(NamedTuple):
+    """What the elements of an entity belong to: physical groups, the whole entity, partition; 0 for none."""
 
-    physical: int
+    physicals: tuple[int, ...]
     entity: int
     partition: int = 0
 
@@ -74,7 +74,7 @@ class Gmsh4:
         self.numbers = numbers
         self.out = out
         self.layout = layout
-        self.volumes: dict[int, Volume] = {}
+        self.entity_of: dict[tuple[int, int], Entity] = {}
 
     def header(self, what: str) -> tuple[int, int]:
         """Number of blocks and of entries."""
@@ -130,7 +130,7 @@ class Gmsh4:
         return native(packed["tag"]).astype(np.int64), packed["x"][:, :3].astype(np.float64)
 
     def elements(self) -> list[Elements]:
-        """Read what follows `$Elements`, a block per entity and type; what isn't volumetric is counted.
+        """Read what follows `$Elements`, a block per entity and type.
 
         Raises
         ------
@@ -143,7 +143,7 @@ class Gmsh4:
         found, parts = 0, []
         for _ in range(blocks):
             start = numbers.text.position
-            _, entity, number, count = self.block("elements")
+            dimension, entity, number, count = self.block("elements")
             size = int(NODES_OF_TYPE[number]) if 0 <= number < len(NODES_OF_TYPE) else 0
             if not size:
                 raise numbers.error(
@@ -152,29 +152,32 @@ class Gmsh4:
             rows = numbers.take(
                 count * (1 + size), self.layout.tag or numbers.size_code, "$Elements"
             ).reshape(count, 1 + size)
-            own = own_corners(self.out, number, count)
+            own_dimension, kind, order = own_corners(self.out, number, count)
             found += count
-            if own is None:
-                continue
-            kind, order = own
             corners = np.stack([rows[:, 1 + corner] for corner in order]).astype(np.int64)
-            volume = self.volumes.get(entity, Volume(0, entity))
+            owner = self.entity_of.get((dimension, entity), Entity((), entity))
+            first, *others = owner.physicals or (0,)
             entities, physicals, partitions = (
-                np.full(count, value) for value in (volume.entity, volume.physical, volume.partition)
+                np.full(count, value) for value in (owner.entity, first, owner.partition)
             )
             tags, ordinals = rows[:, 0].astype(np.int64), np.arange(found - count, found)
-            parts.append(Elements(kind, corners, tags, entities, physicals, partitions, ordinals, begin))
+            parts.append(
+                Elements(
+                    own_dimension, kind, corners, tags, entities, physicals, partitions, ordinals, begin,
+                    tuple(others),
+                )
+            )  # fmt: skip
         if found != total:
             raise numbers.error(f"$Elements has {found} elements, but announces {total}", begin)
         return parts
 
     def entities(self) -> None:
-        """Read which physical group each volume belongs to."""
+        """Read which physical groups each entity belongs to."""
         self.numbers.begin()
         self.each_entity("$Entities", False)
 
     def partitioned_entities(self) -> None:
-        """Read which physical group, volume and partition each part of a volume belongs to."""
+        """Read which physical groups, entity and partition each part of an entity belongs to."""
         numbers, what = self.numbers, "$PartitionedEntities"
         numbers.begin()
         numbers.sizes(1, what)
@@ -183,7 +186,7 @@ class Gmsh4:
         self.each_entity(what, True)
 
     def each_entity(self, what: str, partitioned: bool) -> None:
-        """Read the entities of the four dimensions, and keep those of the third."""
+        """Read the entities of the four dimensions."""
         numbers = self.numbers
         counts = [numbers.count(count, 4, "entities") for count in numbers.sizes(4, what).tolist()]
         for dimension, count in enumerate(counts):
@@ -192,17 +195,16 @@ class Gmsh4:
                 entity, partitions = tag, [0]
                 if partitioned:
                     parent_dimension, parent = numbers.ints(2, what).tolist()
-                    entity = parent if parent_dimension == 3 else tag
+                    entity = parent if parent_dimension == dimension else tag
                     partitions = self.tags(what)
                 numbers.doubles(6 if dimension else self.layout.box_of_point, what)
                 groups = self.tags(what)
                 if dimension:
                     self.tags(what)
-                if dimension == 3:
-                    physical = abs(groups[0]) if groups else 0
-                    self.volumes[tag] = Volume(physical, entity, (partitions or [0])[0])
-                    if len(groups) > 1:
-                        self.out.note(SEVERAL)
+                physicals = tuple(dict.fromkeys(abs(group) for group in groups))
+                self.entity_of[dimension, tag] = Entity(physicals, entity, (partitions or [0])[0])
+                if dimension == 3 and len(physicals) > 1:
+                    self.out.note(SEVERAL)
 
     def tags(self, what: str) -> list[int]:
         """A counted list of ints."""

@@ -13,18 +13,16 @@ from .tokens import quoted
 
 QUOTED = re.compile(rb'\s*"([^"\n]*)"')
 
-GROUP = re.compile(rb'^[ \t]*3[ \t]+(\d{1,10})[ \t]+"([^"\r\n]*)"', re.M)
-"""A line of $PhysicalNames about a group of volumes: its number and its name."""
-
-MOST_NAMES = 6
+GROUP = re.compile(rb'^[ \t]*([0-3])[ \t]+(\d{1,10})[ \t]+"([^"\r\n]*)"', re.M)
+"""A line of $PhysicalNames: a group's dimension, number and name."""
 
 
-def named_groups(content: bytes) -> str:
-    """A sentence that tells the names in a section $PhysicalNames, of groups of volumes; "" if there are none."""
+def names_of_groups(content: bytes) -> dict[tuple[int, int], str]:
+    """The names in a section $PhysicalNames, by dimension and number."""
     found = GROUP.findall(content)
-    names = ", ".join(f"{int(number)} is {quoted(name)}" for number, name in found[:MOST_NAMES])
-    more = f" and {len(found) - MOST_NAMES} more" if len(found) > MOST_NAMES else ""
-    return f"Names of physical groups are not kept, their numbers are: {names}{more}." if found else ""
+    return {
+        (int(dimension), int(number)): name.decode("utf-8", "replace") for dimension, number, name in found
+    }
 
 
 def title_of(content: bytes) -> str:

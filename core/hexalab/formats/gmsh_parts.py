@@ -9,7 +9,7 @@ import numpy as np
 from ..arrays import Array, Floats
 from ..cells import KINDS, WEDGE
 from .assembly import WEDGE_OF_OTHERS, Assembly
-from .gmsh_types import ELEMENTS
+from .gmsh_types import ELEMENTS, LOWER
 
 
 @dataclass
@@ -22,12 +22,12 @@ class Nodes:
 
 @dataclass
 class Elements:
-    """Volumetric elements of one type.
+    """Elements of one type.
 
     Parameters
     ----------
-    kind : int
-        Index into KINDS.
+    dimension, kind : int
+        Of volumetric elements 3 and the index into KINDS; of others theirs, and -1.
     corners : (k, n) integers
         Node numbers of the file, in VTK's order.
     tags : (n,) integers
@@ -38,8 +38,11 @@ class Elements:
         Places among all elements of the file.
     begin : int
         Byte offset of their section, for errors.
+    also : tuple of int
+        Further physical groups that all of them belong to.
     """
 
+    dimension: int
     kind: int
     corners: Array
     tags: Array
@@ -48,6 +51,7 @@ class Elements:
     partitions: Array
     ordinals: Array
     begin: int
+    also: tuple[int, ...] = ()
 
 
 @dataclass
@@ -76,14 +80,11 @@ class Rows:
     begin: int
 
     def by_type(self, out: Assembly) -> list[Elements]:
-        """The elements of each type that is kept; the others are counted in `out`."""
+        """The elements of each type; `out` gets notes."""
         parts = []
         for number in np.unique(self.types).tolist():
             which = np.flatnonzero(self.types == number)
-            own = own_corners(out, number, len(which))
-            if own is None:
-                continue
-            kind, order = own
+            dimension, kind, order = own_corners(out, number, len(which))
             corners = np.stack([self.values[self.nodes[which] + corner] for corner in order])
             entities, physicals, partitions = (
                 self.entities[which],
@@ -91,20 +92,24 @@ class Rows:
                 self.partitions[which],
             )
             tags = self.tags[which]
-            parts.append(Elements(kind, corners, tags, entities, physicals, partitions, which, self.begin))
+            parts.append(
+                Elements(dimension, kind, corners, tags, entities, physicals, partitions, which, self.begin)
+            )
         return parts
 
 
-def own_corners(out: Assembly, element_type: int, count: int) -> tuple[int, list[int]] | None:
-    """The kind of cell that a type becomes and which of its nodes are the corners; None if it is left out."""
+def own_corners(out: Assembly, element_type: int, count: int) -> tuple[int, int, list[int]]:
+    """Dimension, kind (-1 of lower dimensions) and which of its nodes are the corners, of elements of a type."""
     kind, size = ELEMENTS[element_type]
-    if not isinstance(kind, int):
-        out.leave_out(kind, count)
-        return None
+    if isinstance(kind, str):
+        dimension, corners = LOWER[kind]
+        if size > corners and count:
+            out.note(f"Elements of higher order ({kind} of {size} nodes) are kept by their corners.")
+        return dimension, -1, list(range(corners))
     corners = (8, 6, 5, 4)[kind]
     if size > corners and count:
         out.note(f"Cells of higher order ({KINDS[kind]} of {size} nodes) are shown by their corners.")
-    return kind, list(WEDGE_OF_OTHERS if kind == WEDGE else range(corners))
+    return 3, kind, list(WEDGE_OF_OTHERS if kind == WEDGE else range(corners))
 
 
 def node_counts() -> Array:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from ..cells import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
 
 _SIZES: dict[str | int, dict[int, int]] = {
@@ -33,4 +35,17 @@ _SIZES: dict[str | int, dict[int, int]] = {
 ELEMENTS: dict[int, tuple[str | int, int]] = {
     number: (kind, size) for kind, sizes in _SIZES.items() for number, size in sizes.items()
 }
-"""For each type: the kind of cell it becomes, or the name of what is left out; and its number of nodes."""
+"""For each type: the kind of cell it becomes, or what others are called; and its number of nodes."""
+
+LOWER: dict[str, tuple[int, int]] = {
+    "points": (0, 1),
+    "lines": (1, 2),
+    "triangles": (2, 3),
+    "quadrilaterals": (2, 4),
+}
+"""Dimension and corners of the elements of lower dimension."""
+
+DIMENSION = np.zeros(max(ELEMENTS) + 1, dtype=np.int64)
+"""(types,) dimension of each type."""
+for _number, (_kind, _) in ELEMENTS.items():
+    DIMENSION[_number] = LOWER[_kind][0] if isinstance(_kind, str) else 3

@@ -2,12 +2,12 @@
 
 Keywords in any order and letter case, comments from `#`, any white space. A row of vertices or cells ends
 with a reference or not: what the numbers up to the next keyword come to decides. References that are not
-all zero become the attribute "reference".
+all zero become the attribute "reference". Edges, triangles and quadrilaterals are the mesh's features, with what
+Corners, Ridges and Required* name of them.
 """
 
 from __future__ import annotations
 
-import re
 from functools import partial
 
 import numpy as np
@@ -18,12 +18,10 @@ from ..mesh import Mesh
 from .assembly import Assembly, CellBlock, check_finite
 from .file import File
 from .ids import narrowed, put, whole_tags, within_int32
-from .medit_keywords import CELLS, ORDERS, SKIPPED, SURFACE
+from .medit_features import NEXT_KEYWORD, REFERENCE, FeatureSections
+from .medit_keywords import CELLS, CURVED, FEATURES, MARKS, ORDERS, SKIPPED
 from .text import Interrupted, Text
 from .tokens import NUMBER, is_number, quoted
-
-NEXT_KEYWORD = re.compile(rb"(?<!\S)[A-Za-z]\S*")
-REFERENCE = "reference"
 
 
 def read(file: File) -> Mesh:
@@ -37,6 +35,7 @@ class Reader:
     def __init__(self, file: File) -> None:
         self.out = Assembly(file, "mesh")
         self.text = Text(file, comment=b"#", note=self.out.note)
+        self.features = FeatureSections(self.text, self.out)
         self.point_references: Array | None = None
         self.cell_references: list[Array] = []
 
@@ -60,6 +59,7 @@ class Reader:
             self.out.note("The file does not end with the keyword End: it may be cut short.")
         if self.point_references is not None and self.point_references.any():
             self.out.point_data[REFERENCE] = self.point_references
+        self.features.elements.finish()
         references = np.concatenate(self.cell_references) if self.cell_references else np.zeros(0)
         if references.any():
             self.out.cell_data[REFERENCE] = references
@@ -79,6 +79,8 @@ class Reader:
             self.vertices()
         elif keyword in CELLS:
             self.cells(keyword)
+        elif keyword in FEATURES or keyword in MARKS:
+            self.features.section(keyword)
         elif NUMBER.fullmatch(word):
             raise text.error(
                 f"{quoted(word)} stands where a keyword was expected: the section before has more numbers "
@@ -86,8 +88,8 @@ class Reader:
                 text.position - len(word),
             )
         else:
-            if keyword in SURFACE:
-                self.out.leave_out(SURFACE[keyword], text.count(SURFACE[keyword]))
+            if keyword in CURVED:
+                self.out.leave_out(f"curved {CURVED[keyword]}", text.count(CURVED[keyword]))
             elif keyword not in SKIPPED:
                 self.out.note(f"The section {quoted(word)} is not of the format and was skipped.")
             self.skip()

@@ -31,30 +31,47 @@ CELLS = {
 ORDERS = {WEDGE: WEDGE_OF_OTHERS}
 """Where a kind's own corners stand in a row, if not in VTK's order."""
 
-SURFACE = {"triangles": "triangles", "quadrilaterals": "quadrilaterals", "quads": "quadrilaterals"}
-"""Sections of faces: skipped, but told of where nothing else is there."""
+FEATURES = {
+    "edges": (1, 2),
+    "triangles": (2, 3),
+    "quadrilaterals": (2, 4),
+    "quads": (2, 4),
+}
+"""Sections of elements of lower dimension: dimension, vertices in a row (without the reference)."""
+
+MARKS = {
+    "corners": 0,
+    "requiredvertices": 0,
+    "ridges": 1,
+    "requirededges": 1,
+}
+"""Sections that name some of the vertices, or of the edges: dimension of what they name."""
+
+CURVED = {
+    "edgesp2": "edges", "edgesp3": "edges", "edgesp4": "edges",
+    "trianglesp2": "triangles", "trianglesp3": "triangles", "trianglesp4": "triangles",
+    "quadrilateralsq2": "quadrilaterals", "quadrilateralsq3": "quadrilaterals", "quadrilateralsq4": "quadrilaterals",
+}  # fmt: skip
+"""Sections of the same that are curved: counted, and left out."""
 
 _SKIPPED = """
-angleofcornerbound boundingbox bypass com comments corners cornersandridges coveragebound
-dsolattetrahedra dsolattriangles dsolatvertices edgereferenceelement edges edgesp1ordering edgesp2
-edgesp2ordering edgesp3 edgesp3ordering edgesp4 edgesp4ordering equivalentedges extraverticesatedges
-extraverticesathexahedra extraverticesatprisms extraverticesatquadrilaterals
-extraverticesattetrahedra extraverticesattriangles fault_badshape fault_freeedge fault_inter
-fault_multi fault_nonmanifold fault_overlap fault_smalltri fault_toonear floatingpointprecision
-functionalid geometry hexahedrareferenceelement hexahedraq2ordering hexahedraq3ordering
-hexahedraq4ordering identifier incidentcell interlaces internaledges iterations meshonhost
-multivertices normalattrianglevertices normalatquadrilateralvertices normalatvertices normals
+angleofcornerbound boundingbox bypass com comments cornersandridges coveragebound dsolattetrahedra
+dsolattriangles dsolatvertices edgereferenceelement edgesp1ordering edgesp2ordering edgesp3ordering
+edgesp4ordering equivalentedges extraverticesatedges extraverticesathexahedra extraverticesatprisms
+extraverticesatquadrilaterals extraverticesattetrahedra extraverticesattriangles fault_badshape
+fault_freeedge fault_inter fault_multi fault_nonmanifold fault_overlap fault_smalltri fault_toonear
+floatingpointprecision functionalid geometry hexahedrareferenceelement hexahedraq2ordering
+hexahedraq3ordering hexahedraq4ordering identifier incidentcell interlaces internaledges iterations
+meshonhost multivertices normalattrianglevertices normalatquadrilateralvertices normalatvertices normals
 periodic prismreferenceelement prismsp2ordering prismsp3ordering prismsp4ordering privatetable
 pyramidreferenceelement pyramidsp2ordering pyramidsp3ordering pyramidsp4ordering
-quadrilateralreferenceelement quadrilateralsq2 quadrilateralsq2ordering quadrilateralsq3
-quadrilateralsq3ordering quadrilateralsq4 quadrilateralsq4ordering referencestrings requirededges
-requiredhexahedra requiredprisms requiredpyramids requiredquadrilaterals requiredtetrahedra
-requiredtriangles requiredvertices reserved ridges skin smoothsurface solatboundary solatedges
-solathexahedra solatpentahedra solatpyramids solatquadrilaterals solattetrahedra solattriangles
-solatvertices subdomain subdomainfromgeom subdomainfrommesh tangentatedges tangentatvertices
-tangents tetrahedrareferenceelement tetrahedrap2ordering tetrahedrap3ordering tetrahedrap4ordering
-time trianglereferenceelement trianglesp1ordering trianglesp2 trianglesp2ordering trianglesp3
-trianglesp3ordering trianglesp4 trianglesp4ordering vertexongeometricedge
+quadrilateralreferenceelement quadrilateralsq2ordering quadrilateralsq3ordering quadrilateralsq4ordering
+referencestrings requiredhexahedra requiredprisms requiredpyramids requiredquadrilaterals requiredtetrahedra
+requiredtriangles reserved skin smoothsurface solatboundary solatedges solathexahedra solatpentahedra
+solatpyramids solatquadrilaterals solattetrahedra solattriangles solatvertices subdomain subdomainfromgeom
+subdomainfrommesh tangentatedges tangentatvertices tangents tetrahedrareferenceelement tetrahedrap2ordering
+tetrahedrap3ordering tetrahedrap4ordering time trianglereferenceelement trianglesp1ordering
+trianglesp2ordering trianglesp3ordering trianglesp4ordering vertexongeometricedge
 vertexongeometricquadrilateral vertexongeometrictriangle vertexongeometricvertex vertexonsupportedge
 vertexonsupportquadrilateral vertexonsupporttriangle vertexonsupportvertex verticesongeometricedges
 verticesongeometrictriangles verticesongeometricvertices

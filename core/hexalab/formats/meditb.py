@@ -19,7 +19,8 @@ from .assembly import Assembly, CellBlock, check_finite
 from .byte_order import as_coordinates, native
 from .file import File
 from .ids import within_int32
-from .medit import REFERENCE, whole_references
+from .medit import whole_references
+from .medit_features import REFERENCE, MarkedElements
 from .medit_keywords import ORDERS
 
 DIMENSION, VERTICES, END = 3, 4, 54
@@ -36,7 +37,12 @@ CELLS = {
 }
 """Section number: kind, corners, vertices in a row (without the reference)."""
 
-SURFACE = {6: "triangles", 7: "quadrilaterals"}
+FEATURES = {5: ("edges", 2), 6: ("triangles", 3), 7: ("quadrilaterals", 4)}
+"""Elements of lower dimension: section's number to its keyword, and vertices in a row (without the reference)."""
+
+MARKS = {13: "corners", 14: "ridges", 15: "requiredvertices", 16: "requirededges"}
+"""Sections that name some of the vertices or edges."""
+
 MOST_SECTIONS = 100_000
 
 
@@ -53,6 +59,7 @@ class Reader:
         self.position = 0
         self.out = Assembly(file, "meshb")
         self.references: list[Array] = []
+        self.elements = MarkedElements(self.out)
         mark = file.data[:4]
         if mark not in (b"\1\0\0\0", b"\0\0\0\1"):
             raise file.error("expected the number 1 in the first 4 bytes", offset=0)
@@ -95,6 +102,7 @@ class Reader:
             self.position = following
         if not ended:
             self.out.note("The file does not end with the section End: it may be cut short.")
+        self.elements.finish()
         references = np.concatenate(self.references) if self.references else np.zeros(0)
         if references.any():
             self.out.cell_data[REFERENCE] = references
@@ -127,8 +135,24 @@ class Reader:
             self.vertices()
         elif section in CELLS:
             self.cells(section)
-        elif section in SURFACE:
-            self.out.leave_out(SURFACE[section], max(0, self.integer(self.whole, "the number of faces")))
+        elif section in FEATURES or section in MARKS:
+            self.features(section)
+
+    def features(self, section: int) -> None:
+        """Read elements of lower dimension, or numbers of them; what can't be read costs them, not the mesh."""
+        keyword, width = FEATURES.get(section, (MARKS.get(section, ""), 0))
+        try:
+            count = self.integer(self.whole, f"the number of {keyword}")
+            columns = width + 1
+            rows = self.take(np.dtype((self.order + self.whole, (columns,))), count, keyword)
+        except MeshReadError as error:
+            self.out.note(f"{keyword.capitalize()} were left out. {error}.")
+            return
+        table = native(rows).reshape(count, columns)
+        if width:
+            self.elements.add(keyword, table[:, :width].T, whole_references(table[:, width]))
+        else:
+            self.elements.mark(keyword, table[:, 0])
 
     def vertices(self) -> None:
         """Read rows of three reals, float32 in version 1 and float64 from 2 on, and a reference."""

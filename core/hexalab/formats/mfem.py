@@ -13,6 +13,7 @@ import numpy as np
 from ..arrays import Array, Floats
 from ..cells import HEXAHEDRON, PYRAMID, TETRAHEDRON, WEDGE
 from ..errors import MeshReadError
+from ..groups import Group
 from ..mesh import Mesh
 from .assembly import WEDGE_OF_OTHERS, Assembly, CellBlock, check_finite
 from .file import File
@@ -24,7 +25,7 @@ from .typed_rows import Shape, TypedRows, row_form
 
 SHAPES = {
     0: Shape("points", 1),
-    1: Shape("segments", 2),
+    1: Shape("lines", 2),
     2: Shape("triangles", 3),
     3: Shape("quadrilaterals", 4),
     4: Shape("tetrahedra", 4, TETRAHEDRON, (0, 1, 2, 3)),
@@ -34,10 +35,16 @@ SHAPES = {
 }
 """MFEM's numbers of geometries."""
 
+SETS = "attribute_set"
+"""Origin of the groups that sets of attributes make."""
+
 ELEMENT = row_form(SHAPES, 1)
 """Attribute, geometry, vertices."""
 
 HEADER = re.compile(rb"MFEM\s+(?:(mesh)\s+v1\.[0-3]|([^\r\n]*?))\s*(?:[\r\n]|$)")
+
+SET = re.compile(rb'"([^"\r\n]*)"\s+\d+((?:\s+\d+)*)')
+"""A set of attributes: its name, how many there are, and they."""
 
 CONTINUOUS = re.compile(rb"H1(?:Pos|Ser|@\w)?_\w+|Linear|Quadratic|QuadraticPos|Cubic")
 """Collections whose first values are those of the vertices, one for each."""
@@ -54,8 +61,9 @@ class Reader:
     """One pass over the sections."""
 
     def __init__(self, file: File) -> None:
-        self.out = Assembly(file, "mfem")
+        self.out = Assembly(file, "mfem", first_number=0)
         self.text = Text(file, comment=b"#", note=self.out.note)
+        self.sets: dict[bytes, list[tuple[bytes, bytes]]] = {}
 
     def read(self) -> Mesh:
         """Read section after section.
@@ -73,6 +81,7 @@ class Reader:
         text.position = header.end()
         while word := text.word():
             self.section(word)
+        self.groups()
         return self.out.mesh()
 
     def section(self, word: bytes) -> None:
@@ -96,8 +105,9 @@ class Reader:
         elif word == b"boundary":
             self.boundary()
         elif word in (b"attribute_sets", b"bdr_attribute_sets"):
-            self.out.note(f"Sets of attributes are not kept ({word.decode()}).")
+            start = text.position
             self.skip()
+            self.sets[word] = SET.findall(text.data, start, text.position)
         else:
             self.skip()
 
@@ -139,9 +149,18 @@ class Reader:
         self.out.cell_data["attribute"] = narrowed(rows.column(0)[kept])
 
     def boundary(self) -> None:
-        """Count the elements of the boundary, which are no cells."""
-        for shape, _, which in self.rows("boundary elements").by_type():
-            self.out.leave_out(shape.name, len(which))
+        """Read the elements of the boundary, which are features."""
+        rows = self.rows("boundary elements")
+        self.out.features += rows.features("attribute", 0, as_int32)
+
+    def groups(self) -> None:
+        """Make groups of the sets of attributes, those of the boundary's of features."""
+        attributes = self.out.cell_data.get("attribute", np.zeros(0, dtype=np.int32))
+        for name, numbers in self.sets.get(b"attribute_sets", ()):
+            self.out.groups.append(Group(called(name), SETS, members(attributes, numbers)))
+        for name, numbers in self.sets.get(b"bdr_attribute_sets", ()):
+            for block in self.out.features:
+                block.groups.append(Group(called(name), SETS, members(block.data["attribute"], numbers)))
 
     def vertices(self) -> None:
         """Read the vertices: a dimension and coordinates, or the section nodes that has them."""
@@ -195,3 +214,13 @@ class Reader:
             self.out.note(f"Curved cells ({collection.decode()}) are shown by their corners.")
         table = values.reshape(3, size) if head[3] == b"0" else values.reshape(size, 3).T
         return table[:, :count]
+
+
+def called(name: bytes) -> str:
+    """The name of a set."""
+    return name.decode("utf-8", "replace")
+
+
+def members(attributes: Array, numbers: bytes) -> Array:
+    """Rows of the elements that have one of the attributes."""
+    return np.flatnonzero(np.isin(attributes, [int(number) for number in numbers.split()]))

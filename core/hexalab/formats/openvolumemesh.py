@@ -42,7 +42,7 @@ class Reader:
 
     def __init__(self, file: File) -> None:
         self.text = text = Text(file, comment=b"#")
-        self.out = Assembly(file, "ovm")
+        self.out = Assembly(file, "ovm", first_number=0)
         if text.word().upper() != b"OVM":
             raise text.error("expected OVM ASCII on the first line", 0)
         if text.peek().lower() == b"vertices":  # as in OpenVolumeMesh's own NonManifold.ovm

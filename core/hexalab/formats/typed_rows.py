@@ -9,7 +9,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -18,7 +18,11 @@ import numpy as np
 from ..arrays import Array
 from ..cells import TETRAHEDRON as TETRAHEDRON  # of the example above
 from .assembly import Assembly
+from .feature_blocks import FeatureBlock
 from .row_chain import RowForm
+
+LOWER = {"points": 0, "lines": 1, "triangles": 2, "quadrilaterals": 2}
+"""Dimension of the elements that are kept as features."""
 
 
 @dataclass(frozen=True)
@@ -98,17 +102,38 @@ class TypedRows:
             yield self.shapes[number], number, np.flatnonzero(types == number)
 
     def cells(self, out: Assembly) -> tuple[Array, list[Cells]]:
-        """(m,) which rows are cells, and the cells of each kind; what is none is counted in `out`."""
+        """(m,) which rows are cells, and the cells of each kind; what is no feature either is counted in `out`."""
         kept = np.zeros(len(self.starts), dtype=bool)
         found = []
         for shape, number, which in self.by_type():
             if shape.kind is None:
-                out.leave_out(shape.name, len(which))
+                if shape.name not in LOWER:
+                    out.leave_out(shape.name, len(which))
                 continue
             kept[which] = True
             found.append((shape.kind, which, self.corners(number, which)))
         place = np.cumsum(kept) - 1
         return kept, [Cells(kind, which, corners, place[which]) for kind, which, corners in found]
+
+    def features(self, name: str, place: int, vertices: Callable[[Array], Array]) -> list[FeatureBlock]:
+        """The elements of lower dimension.
+
+        Parameters
+        ----------
+        name : str
+            What the number at `place` of a row says of it.
+        place : int
+        vertices : callable
+            Gives the rows of vertices for what stands for them, -1 where one is not there.
+        """
+        blocks = []
+        for shape, _, which in self.by_type():
+            if shape.kind is None and shape.name in LOWER:
+                first = self.starts[which] + self.place + 1
+                nodes = np.stack([self.values[first + node] for node in range(shape.size)])
+                said = {name: self.column(place)[which]}
+                blocks.append(FeatureBlock(LOWER[shape.name], vertices(nodes), said))
+        return blocks
 
     def corners(self, number: int, which: Array) -> Array:
         """(k, n) what stands for the corners, in VTK's order, of those rows, all of which have that type."""

@@ -106,7 +106,7 @@ class Reader:
         return numbers, coordinates
 
     def cells(self, count: int, numbering: Numbering) -> tuple[Array, Array]:
-        """Read the cells; their numbers, and which are kept. Those that are no volumetric cells are counted."""
+        """Read the cells; their numbers, and which are kept. Those of lower dimension are features."""
         rows = self.cell_rows(count)
         numbers = rows.column(0)
         kept, cells = rows.cells(self.out)
@@ -120,6 +120,7 @@ class Reader:
             check_ids(block, numbering.count)
             block.corners = corners[list(self.order_of(block))]
             self.out.blocks.append(block)
+        self.out.features += rows.features("material", 1, numbering.places)
         material = rows.column(1)[kept]
         if material.any():
             self.out.cell_data["material"] = narrowed(material)

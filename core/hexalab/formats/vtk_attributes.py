@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from ..arrays import Array
 from .assembly import Assembly, free_name
 from .byte_order import native
+from .group_arrays import attach
 from .text import Text
 from .tokens import INTEGER, quoted
 from .vtk_values import Values, decoded
@@ -59,6 +60,7 @@ class Attributes:
         self.target: dict[str, Array] | None = None
         self.point_data: dict[str, Array] = {}
         self.cell_data: dict[str, Array] = {}
+        self.numbers: dict[str, Array] = {}
 
     def section(self, keyword: str) -> None:
         """Read the section of that keyword (lower case), which has just been taken."""
@@ -87,6 +89,16 @@ class Attributes:
         else:
             name = decoded(self.text.word())
             self.array(name, self.entries, COMPONENTS[keyword], self.values.number_type(self.text.word()))
+            if keyword == "global_ids" and self.target is not None:
+                self.take_numbers(*self.target.popitem())
+
+    def take_numbers(self, name: str, values: Array) -> None:
+        """Keep global ids as the numbers of vertices or cells where they are whole; else as an attribute."""
+        assert self.target is not None
+        if values.dtype.kind in "iu" and values.shape[1] == 1:
+            self.numbers["point" if self.target is self.point_data else "cell"] = values[:, 0]
+        else:
+            self.target[name] = values
 
     def scalars(self) -> None:
         """`SCALARS name type [components]`, then an optional line `LOOKUP_TABLE name`."""
@@ -164,8 +176,9 @@ class Attributes:
                         f"The array {quoted(name)} has {len(values)} entries for {count} {what}: left out."
                     )
         self.out.point_data = self.point_data
-        self.out.cell_data = {
-            name: values if kept is None else values[kept]
-            for name, values in self.cell_data.items()
-            if len(values) == cell_count
-        }
+        fitting = {name: values for name, values in self.cell_data.items() if len(values) == cell_count}
+        self.out.cell_data = attach(self.out.features, fitting, kept)
+        self.out.vertex_numbers = self.numbers.get("point")
+        numbers = self.numbers.get("cell")
+        if numbers is not None and len(numbers) == cell_count:
+            self.out.cell_numbers = numbers if kept is None else numbers[kept]

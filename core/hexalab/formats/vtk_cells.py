@@ -19,6 +19,7 @@ from ..errors import MeshReadError
 from .assembly import Assembly, CellBlock, check_ids
 from .byte_order import native, stretches
 from .cell_orientation import Orientation
+from .feature_blocks import FeatureBlock
 from .half_faces import Rebuilt, rebuild
 from .ids import as_int32, within_int32
 from .row_chain import ErrorAt
@@ -106,6 +107,8 @@ def add_cells(out: Assembly, rows: Rows) -> NDArray[np.intp] | None:
     if POLYHEDRON in chosen:
         solid = rebuild(lambda part: rows.loops_of(chosen[POLYHEDRON][part]), len(chosen[POLYHEDRON]))
         found[POLYHEDRON] = chosen[POLYHEDRON][solid.kinds >= 0]
+    for number in [number for number in chosen if number in CELL_TYPES and CELL_TYPES[number].dimension < 3]:
+        add_features(out, rows, CELL_TYPES[number], chosen.pop(number))
     for number, which in chosen.items():
         name = CELL_TYPES[number].name if number in CELL_TYPES else f"cells of type {number}"
         out.leave_out(name, len(which) - len(found.get(number, ())))
@@ -119,6 +122,17 @@ def add_cells(out: Assembly, rows: Rows) -> NDArray[np.intp] | None:
         else:
             add_type(out, rows, CELL_TYPES[number], number, which, places if len(found) > 1 else None)
     return kept
+
+
+def add_features(out: Assembly, rows: Rows, cell_type: CellType, which: Array) -> None:
+    """Add rows of lower dimension, all of one type, as features; those with too few nodes are left out."""
+    corners = len(cell_type.order)
+    enough = rows.sizes[which] >= corners
+    out.leave_out(f"{cell_type.name} with too few nodes", int(np.count_nonzero(~enough)))
+    which = which[enough]
+    if cell_type.size > corners and len(which):
+        out.note(f"Elements of higher order ({cell_type.name}) are kept by their corners.")
+    out.features.append(FeatureBlock(cell_type.dimension, gathered(rows, which, cell_type.order), rows=which))
 
 
 def known_kind(number: int) -> int | None:

@@ -37,7 +37,7 @@ class Reader:
     """One pass over the file, section by section."""
 
     def __init__(self, file: File) -> None:
-        self.out = Assembly(file, "vtk")
+        self.out = Assembly(file, "vtk", first_number=0)
         self.text = Text(file, note=self.out.note)
         self.values = Values(self.text, self.header())
         self.attributes = Attributes(self.text, self.values, self.out)

@@ -22,12 +22,15 @@ class CellType:
         Index into KINDS if the cell is kept; its own corners then stand first.
     order : tuple of int
         Which of the row's corners are the kind's own, in its order.
+    dimension : int
+        3 of cells; of points, edges and faces that are kept as features, theirs.
     """
 
     name: str
     size: int
     kind: int | None = None
     order: tuple[int, ...] = ()
+    dimension: int = 3
 
 
 def _kept(name: str, size: int, kind: int) -> CellType:
@@ -38,21 +41,37 @@ def _turned_wedge(name: str, size: int) -> CellType:
     return CellType(name, size, WEDGE, WEDGE_OF_OTHERS)
 
 
+def _point(name: str, size: int) -> CellType:
+    return CellType(name, size, None, (0,), 0)
+
+
+def _edge(name: str, size: int) -> CellType:
+    return CellType(name, size, None, (0, 1), 1)
+
+
+def _triangle(name: str, size: int) -> CellType:
+    return CellType(name, size, None, (0, 1, 2), 2)
+
+
+def _quadrilateral(name: str, size: int) -> CellType:
+    return CellType(name, size, None, (0, 1, 2, 3), 2)
+
+
 VOXEL = 11
 HEXAHEDRON_TYPE = 12
 POLYHEDRON = 42
 
 CELL_TYPES = {
     0: CellType("empty cells", 0),
-    1: CellType("points", 1),
+    1: _point("points", 1),
     2: CellType("poly-vertices", 0),
-    3: CellType("lines", 2),
+    3: _edge("lines", 2),
     4: CellType("polylines", 0),
-    5: CellType("triangles", 3),
+    5: _triangle("triangles", 3),
     6: CellType("triangle strips", 0),
     7: CellType("polygons", 0),
-    8: CellType("pixels", 4),
-    9: CellType("quadrilaterals", 4),
+    8: CellType("pixels", 4, None, (0, 1, 3, 2), 2),
+    9: _quadrilateral("quadrilaterals", 4),
     10: _kept("tetrahedra", 4, TETRAHEDRON),
     VOXEL: CellType("voxels", 8, HEXAHEDRON, (0, 1, 3, 2, 4, 5, 7, 6)),
     HEXAHEDRON_TYPE: _kept("hexahedra", 8, HEXAHEDRON),
@@ -60,35 +79,35 @@ CELL_TYPES = {
     14: _kept("pyramids", 5, PYRAMID),
     15: CellType("pentagonal prisms", 10),
     16: CellType("hexagonal prisms", 12),
-    21: CellType("quadratic edges", 3),
-    22: CellType("quadratic triangles", 6),
-    23: CellType("quadratic quadrilaterals", 8),
+    21: _edge("quadratic edges", 3),
+    22: _triangle("quadratic triangles", 6),
+    23: _quadrilateral("quadratic quadrilaterals", 8),
     24: _kept("quadratic tetrahedra", 10, TETRAHEDRON),
     25: _kept("quadratic hexahedra", 20, HEXAHEDRON),
     26: _kept("quadratic wedges", 15, WEDGE),
     27: _kept("quadratic pyramids", 13, PYRAMID),
-    28: CellType("biquadratic quadrilaterals", 9),
+    28: _quadrilateral("biquadratic quadrilaterals", 9),
     29: _kept("triquadratic hexahedra", 27, HEXAHEDRON),
-    30: CellType("quadratic-linear quadrilaterals", 6),
+    30: _quadrilateral("quadratic-linear quadrilaterals", 6),
     31: _turned_wedge("quadratic-linear wedges", 12),
     32: _turned_wedge("biquadratic wedges", 18),
     33: _kept("biquadratic hexahedra", 24, HEXAHEDRON),
-    34: CellType("biquadratic triangles", 7),
-    35: CellType("cubic lines", 4),
+    34: _triangle("biquadratic triangles", 7),
+    35: _edge("cubic lines", 4),
     36: CellType("quadratic polygons", 0),
     37: _kept("triquadratic pyramids", 19, PYRAMID),
     41: CellType("convex point sets", 0),
     POLYHEDRON: CellType("polyhedra", 0),
-    68: CellType("Lagrange curves", 0),
-    69: CellType("Lagrange triangles", 0),
-    70: CellType("Lagrange quadrilaterals", 0),
+    68: _edge("Lagrange curves", 0),
+    69: _triangle("Lagrange triangles", 0),
+    70: _quadrilateral("Lagrange quadrilaterals", 0),
     71: _kept("Lagrange tetrahedra", 0, TETRAHEDRON),
     72: _kept("Lagrange hexahedra", 0, HEXAHEDRON),
     73: _turned_wedge("Lagrange wedges", 0),
     74: _kept("Lagrange pyramids", 0, PYRAMID),
-    75: CellType("Bezier curves", 0),
-    76: CellType("Bezier triangles", 0),
-    77: CellType("Bezier quadrilaterals", 0),
+    75: _edge("Bezier curves", 0),
+    76: _triangle("Bezier triangles", 0),
+    77: _quadrilateral("Bezier quadrilaterals", 0),
     78: _kept("Bezier tetrahedra", 0, TETRAHEDRON),
     79: _kept("Bezier hexahedra", 0, HEXAHEDRON),
     80: _turned_wedge("Bezier wedges", 0),

@@ -10,7 +10,9 @@ from ..mesh import Mesh
 from .assembly import Assembly, check_finite, free_name
 from .byte_order import as_coordinates, native
 from .cell_orientation import Orientation
+from .feature_blocks import FeatureBlock
 from .file import File
+from .group_arrays import attach
 from .tokens import quoted
 from .vtk_cells import Rows, add_cells, spans
 from .vtk_datasets import refusal
@@ -31,7 +33,7 @@ class Reader:
 
     def __init__(self, file: File) -> None:
         self.file = file
-        self.out = Assembly(file, "vtu")
+        self.out = Assembly(file, "vtu", first_number=0)
         root = parse(file, "AppendedData")
         top = root.first("VTKFile")
         if top is None:
@@ -60,21 +62,25 @@ class Reader:
         """
         coordinates: list[Array] = []
         data: list[tuple[dict[str, Array], dict[str, Array]]] = []
+        numbers: list[tuple[Array | None, Array | None]] = []
         for piece in self.pieces:
             points = self.points(piece)
             if not points.shape[1]:
                 continue
             coordinates.append(points)
-            kept = self.cells(piece, points)
-            cell_data = self.attributes(piece, "CellData", self.count(piece, "NumberOfCells"))
-            if kept is not None:
-                cell_data = {name: values[kept] for name, values in cell_data.items()}
-            data.append((self.attributes(piece, "PointData", points.shape[1]), cell_data))
+            kept, features = self.cells(piece, points)
+            cell_data, cell_ids = self.attributes(piece, "CellData", self.count(piece, "NumberOfCells"))
+            point_data, point_ids = self.attributes(piece, "PointData", points.shape[1])
+            data.append((point_data, attach(features, cell_data, kept)))
+            self.out.features += features
+            numbers.append((point_ids, cell_ids if kept is None or cell_ids is None else cell_ids[kept]))
             self.vertex_count += points.shape[1]
         if coordinates:
             self.out.coordinates = np.concatenate(coordinates, axis=1)
             self.out.point_data = joined([points for points, _ in data])
             self.out.cell_data = joined([cells for _, cells in data])
+            self.out.vertex_numbers = joined_ids([points for points, _ in numbers])
+            self.out.cell_numbers = joined_ids([cells for _, cells in numbers])
         self.orientation.settle(self.out)
         self.wedges.settle(self.out)
         return self.out.mesh()
@@ -108,8 +114,8 @@ class Reader:
         check_finite(points, lambda message, _: self.arrays.error(element, message))
         return points
 
-    def cells(self, piece: Element, points: Array) -> Array | None:
-        """Add the piece's cells; returns the rows that were kept, None for all."""
+    def cells(self, piece: Element, points: Array) -> tuple[Array | None, list[FeatureBlock]]:
+        """Add the piece's cells; returns the rows that were kept, None for all, and its features."""
         cells = self.section(piece, "Cells")
         named = {child.attributes.get("Name", "").lower(): child for child in cells.all("DataArray")}
         for name in ("connectivity", "offsets", "types"):
@@ -138,12 +144,16 @@ class Reader:
         first_cell = sum(block.corners.shape[1] for block in self.out.blocks)
         for block in part.blocks:
             self.out.add_piece(block, points.shape[1], self.vertex_count, first_cell)
-        return kept
+        for feature in part.features:
+            beyond = (feature.corners < 0) | (feature.corners >= points.shape[1])
+            feature.corners = np.where(beyond, -1, feature.corners + np.int32(self.vertex_count))
+        return kept, part.features
 
-    def attributes(self, piece: Element, section: str, count: int) -> dict[str, Array]:
-        """The arrays of PointData or CellData, (count, k)."""
+    def attributes(self, piece: Element, section: str, count: int) -> tuple[dict[str, Array], Array | None]:
+        """The arrays of PointData or CellData, (count, k), and the one that is declared to be global ids."""
         out: dict[str, Array] = {}
-        element = piece.first(section)
+        element, ids = piece.first(section), None
+        global_ids = element.attributes.get("GlobalIds", "") if element else ""
         for child in element.all("DataArray") if element else []:
             name = child.attributes.get("Name", "") or "unnamed"
             if child.attributes.get("type") == "String":
@@ -154,8 +164,17 @@ class Reader:
                     f"The array {quoted(name)} has {len(values)} numbers for {count} entries: left out."
                 )
                 continue
-            out[free_name(out, name)] = values.reshape(count, len(values) // count)
-        return out
+            if name == global_ids and values.dtype.kind in "iu" and len(values) == count:
+                ids = values
+            else:
+                out[free_name(out, name)] = values.reshape(count, len(values) // count)
+        return out, ids
+
+
+def joined_ids(pieces: list[Array | None]) -> Array | None:
+    """The numbers of all pieces; None if one has none."""
+    found = [numbers for numbers in pieces if numbers is not None]
+    return np.concatenate(found) if found and len(found) == len(pieces) else None
 
 
 def joined(pieces: list[dict[str, Array]]) -> dict[str, Array]:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..arrays import CHUNK, Floats
+from ..arrays import CHUNK, Array, Floats
+from ..grouping import groups_by_value
 from ..mesh import Mesh
+from .abaqus_written_sets import set_lines
 from .writing import formatted, numbers_written, own_corners, runs
 
 LARGEST_NUMBER = 999_999_999
@@ -19,7 +21,7 @@ TYPES = ("C3D8", "C3D6", "C3D5", "C3D4")
 
 
 def write(mesh: Mesh) -> bytes:
-    """The bytes of an `.inp` file: nodes and elements, in the mesh's order, with their own numbers.
+    """The bytes of an `.inp` file: nodes and elements, in the mesh's order, with their own numbers, then sets.
 
     Coordinates have as many digits as fit into twenty characters: at least thirteen, mostly all.
     """
@@ -37,7 +39,12 @@ def write(mesh: Mesh) -> bytes:
         corners = [nodes[corner] for corner in own_corners(mesh, kind, which)]
         parts.append(f"*ELEMENT, TYPE={TYPES[kind]}\n".encode())
         parts += formatted(", ".join(["%d"] * (len(corners) + 1)) + "\n", [elements[which], *corners])
-    return b"".join(parts)
+    return b"".join([*parts, *set_lines(mesh, nodes, elements)])
+
+
+def keeps(on: str, name: str, values: Array) -> bool:
+    """Whether an attribute has a place: one of few whole numbers, as sets of cells."""
+    return on == "cell" and next(groups_by_value(name, values), None) is not None
 
 
 def shortened(values: Floats) -> list[str]:

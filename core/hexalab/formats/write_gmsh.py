@@ -1,23 +1,29 @@
 """Writes Gmsh `.msh` 4.1 and 2.2, ASCII (Gmsh reference manual, "MSH file format").
 
-Cells keep their order and their numbers. The attributes "physical", "entity" and "partition" become what they are in
-the format (4.1 has no place for partitions without their topology); others become $NodeData and $ElementData.
+Cells keep their order and their numbers; features follow them. Groups become physical groups. The attributes
+"physical", "entity" and "partition" become what they are in the format (4.1 has no place for partitions without their
+topology); others become $NodeData and $ElementData.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import Array
 from ..mesh import Mesh
+from .gmsh_entities import LARGEST_NUMBER, Owners, is_owner, owners, physical_groups, whole_owner
+from .vtk_grid import parted
 from .writing import formatted, numbers_written, own_corners, runs
 
-LARGEST_NUMBER = 2**31 - 1
 TYPES = (5, 6, 7, 4)
 """Gmsh's element type for each kind."""
+
+TYPES_OF_FEATURES = {1: 15, 2: 1, 3: 2, 4: 3}
+"""Gmsh's element type of features with so many corners."""
 
 WIDTHS = (1, 3, 9)
 """How many components values may have."""
@@ -26,45 +32,104 @@ VOLUME = 3
 """Dimension of the entities that cells belong to."""
 
 
+@dataclass
+class Block:
+    """Elements of one type and one dimension: (n,) rows among those of it, their numbers, (k, n) node numbers."""
+
+    owners: Owners
+    type: int
+    rows: Array
+    numbers: Array
+    nodes: list[Array]
+
+
 def write_2(mesh: Mesh) -> bytes:
     """The bytes of a `.msh` file of version 2.2."""
     nodes, elements = numbers(mesh)
-    _, entities = entities_of(mesh)
-    physicals, partitions = owners(mesh, "physical"), owners(mesh, "partition")
-    parts = [b"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n", f"$Nodes\n{mesh.vertex_count}\n".encode()]
+    partitions = whole_owner(mesh, "partition")
+    belong = owners(mesh)
+    blocks = list(blocks_of(mesh, belong, nodes, elements))
+    count = sum(len(block.rows) for block in blocks)
+    parts = [b"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n", *names(belong)]
+    parts.append(f"$Nodes\n{mesh.vertex_count}\n".encode())
     parts += formatted("%d %r %r %r\n", [nodes, *mesh.coordinates])
-    parts.append(f"$EndNodes\n$Elements\n{mesh.cell_count}\n".encode())
-    tags = [physicals, entities, np.ones_like(partitions), partitions][: 4 if partitions.any() else 2]
-    for which in runs(mesh.kinds):
-        kind = int(mesh.kinds[which.start])
-        corners = [nodes[corner] for corner in own_corners(mesh, kind, which)]
-        columns = [elements[which], *(tag[which] for tag in tags), *corners]
-        row = f"%d {TYPES[kind]} {len(tags)} " + " ".join(["%d"] * (len(columns) - 1)) + "\n"
+    parts.append(f"$EndNodes\n$Elements\n{count}\n".encode())
+    for block in blocks:
+        own = block.owners
+        tags = [own.first[block.rows], own.entities[block.rows]]
+        if own.dimension == VOLUME and partitions.any():
+            tags += [np.ones(len(block.rows), np.int64), partitions[block.rows]]
+        columns = [block.numbers, *tags, *block.nodes]
+        row = f"%d {block.type} {len(tags)} " + " ".join(["%d"] * (len(columns) - 1)) + "\n"
         parts += formatted(row, columns)
     return b"".join([*parts, b"$EndElements\n", *values(mesh, nodes, elements, ("partition",))])
 
 
 def write_4(mesh: Mesh) -> bytes:
-    """The bytes of a `.msh` file of version 4.1: a block for each run of cells of one kind and entity."""
+    """The bytes of a `.msh` file of version 4.1: a block for each run of elements of one type and entity."""
     nodes, elements = numbers(mesh)
-    tags, of_cells = entities_of(mesh)
-    low, high = (edge(mesh.coordinates, axis=1, initial=0).tolist() for edge in (np.min, np.max))
-    box = " ".join(map(repr, [*low, *high]))
-    parts = [b"$MeshFormat\n4.1 0 8\n$EndMeshFormat\n", f"$Entities\n0 0 0 {len(tags)}\n".encode()]
-    parts += [f"{tag} {box} {f'1 {physical}' if physical else '0'} 0\n".encode() for tag, physical in tags]
+    belong = owners(mesh)
+    blocks = [
+        Block(block.owners, block.type, block.rows[part], block.numbers[part], [n[part] for n in block.nodes])
+        for block in blocks_of(mesh, belong, nodes, elements)
+        for part in runs(block.owners.entities[block.rows])
+    ]
+    parts = [b"$MeshFormat\n4.1 0 8\n$EndMeshFormat\n", *names(belong), *entities(mesh, belong)]
     count, most = mesh.vertex_count, int(nodes.max(initial=0))
-    parts.append(f"$EndEntities\n$Nodes\n1 {count} {int(nodes.min(initial=1))} {most}\n".encode())
-    parts.append(f"{VOLUME} {tags[0][0] if tags else 1} 0 {count}\n".encode())
+    parts.append(f"$Nodes\n1 {count} {int(nodes.min(initial=1))} {most}\n".encode())
+    parts.append(f"{VOLUME} {next(iter(belong[0].physicals), 1)} 0 {count}\n".encode())
     parts += formatted("%d\n", [nodes]) + formatted("%r %r %r\n", [*mesh.coordinates])
-    blocks = list(runs(mesh.kinds, of_cells))
-    least, most = int(elements.min(initial=1)), int(elements.max(initial=0))
-    parts.append(f"$EndNodes\n$Elements\n{len(blocks)} {mesh.cell_count} {least} {most}\n".encode())
-    for which in blocks:
-        kind, size = int(mesh.kinds[which.start]), which.stop - which.start
-        parts.append(f"{VOLUME} {of_cells[which.start]} {TYPES[kind]} {size}\n".encode())
-        columns = [elements[which], *(nodes[corner] for corner in own_corners(mesh, kind, which))]
+    total = sum(len(block.rows) for block in blocks)
+    ends = [int(block.numbers.max()) for block in blocks]
+    least = min((int(block.numbers.min()) for block in blocks), default=1)
+    parts.append(f"$EndNodes\n$Elements\n{len(blocks)} {total} {least} {max(ends, default=0)}\n".encode())
+    for block in blocks:
+        own, size = block.owners, len(block.rows)
+        parts.append(f"{own.dimension} {own.entities[block.rows[0]]} {block.type} {size}\n".encode())
+        columns = [block.numbers, *block.nodes]
         parts += formatted(" ".join(["%d"] * len(columns)) + "\n", columns)
     return b"".join([*parts, b"$EndElements\n", *values(mesh, nodes, elements, ())])
+
+
+def blocks_of(mesh: Mesh, belong: list[Owners], nodes: Array, elements: Array) -> Iterator[Block]:
+    """Cells in runs of one kind, then features, numbered on from the cells."""
+    for which in runs(mesh.kinds):
+        kind = int(mesh.kinds[which.start])
+        corners = [nodes[corner] for corner in own_corners(mesh, kind, which)]
+        yield Block(belong[0], TYPES[kind], np.arange(which.start, which.stop), elements[which], corners)
+    following = int(elements.max(initial=0)) + 1
+    for features, own in zip(mesh.features, belong[1:], strict=True):
+        for part, size in parted(features):
+            part = part[np.argsort(own.entities[part], kind="stable")]
+            tags = np.arange(following, following + len(part))
+            following += len(part)
+            yield Block(own, TYPES_OF_FEATURES[size], part, tags, [*nodes[features.corners[:size, part]]])
+
+
+def names(belong: list[Owners]) -> list[bytes]:
+    """The section of the names of physical groups; nothing if none has one."""
+    rows = [
+        f'{own.dimension} {tag} "{name}"\n'.encode()
+        for own in sorted(belong, key=lambda own: own.dimension)
+        for tag, name in own.names.items()
+    ]
+    return [f"$PhysicalNames\n{len(rows)}\n".encode(), *rows, b"$EndPhysicalNames\n"] if rows else []
+
+
+def entities(mesh: Mesh, belong: list[Owners]) -> list[bytes]:
+    """The section of the entities of all four dimensions; their box is the mesh's, their boundary not known."""
+    low, high = (edge(mesh.coordinates, axis=1, initial=0).tolist() for edge in (np.min, np.max))
+    of_dimension = {own.dimension: own for own in belong}
+    counts = [len(of_dimension[d].physicals) if d in of_dimension else 0 for d in range(4)]
+    parts = [("$Entities\n" + " ".join(map(str, counts)) + "\n").encode()]
+    for dimension in range(4):
+        if dimension not in of_dimension:
+            continue
+        box = " ".join(map(repr, [*low, *high] if dimension else low))
+        for tag, physicals in of_dimension[dimension].physicals.items():
+            belongs = " ".join(map(str, [len(physicals), *physicals]))
+            parts.append(f"{tag} {box} {belongs}{' 0' if dimension else ''}\n".encode())
+    return [*parts, b"$EndEntities\n"]
 
 
 def numbers(mesh: Mesh) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
@@ -75,37 +140,11 @@ def numbers(mesh: Mesh) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     )
 
 
-def is_owner(mesh: Mesh, name: str) -> bool:
-    """Whether the attribute of cells can be what cells belong to: an int32, not negative."""
-    found = mesh.cell_data.get(name)
-    if found is None or found.ndim != 1 or found.dtype.kind not in "iu" or not len(found):
-        return False
-    return bool(found.min() >= 0 and found.max() <= LARGEST_NUMBER)
-
-
-def owners(mesh: Mesh, name: str) -> NDArray[np.int64]:
-    """(C,) what each cell belongs to, 0 where it is not known."""
-    if not is_owner(mesh, name):
-        return np.zeros(mesh.cell_count, np.int64)
-    return mesh.cell_data[name].astype(np.int64)
-
-
-def entities_of(mesh: Mesh) -> tuple[list[tuple[int, int]], NDArray[np.int64]]:
-    """Tags of the volumes with their physical group (0 for none), and (C,) the tag of each cell's volume.
-
-    A volume has its tag from the file where that is there and has one group alone; else they are counted.
-    """
-    pairs = np.stack([owners(mesh, "entity"), owners(mesh, "physical")])
-    known, inverse = np.unique(pairs, axis=1, return_inverse=True)
-    tags = known[0]
-    if (tags < 1).any() or len(np.unique(tags)) < len(tags):
-        tags = np.arange(1, len(tags) + 1)
-    return list(zip(tags.tolist(), known[1].tolist(), strict=True)), tags[inverse.reshape(-1)]
-
-
 def values(mesh: Mesh, nodes: Array, elements: Array, kept: tuple[str, ...]) -> Iterator[bytes]:
     """The sections of values, but for the attributes that say what cells belong to."""
-    as_owners = {name for name in ("physical", "entity", *kept) if is_owner(mesh, name)}
+    as_owners = {name for name in ("entity", *kept) if is_owner(mesh, name)}
+    if any(group.origin == "physical" for group in physical_groups(mesh)):
+        as_owners.add("physical")
     for section, tags, data in (
         ("NodeData", nodes, mesh.point_data),
         ("ElementData", elements, {k: v for k, v in mesh.cell_data.items() if k not in as_owners}),

@@ -3,14 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..arrays import CHUNK, Array
-from ..cells import CORNERS_OF_KIND, HEXAHEDRON
 from ..mesh import Mesh
-
-TYPES_OF_KINDS = (12, 13, 14, 10)
-"""VTK's cell type for each kind."""
+from .vtk_grid import ELEMENT_IDS, NODE_IDS, grid_of
 
 NAMES = {
     "i1": "signed_char",
@@ -29,7 +25,8 @@ NAMES = {
 
 def write(mesh: Mesh) -> bytes:
     """The bytes of a `.vtk` file, version 5.1, binary, with all attributes; cells stay in their order."""
-    offsets, ids = connectivity(mesh)
+    grid = grid_of(mesh)
+    offsets, ids, cell_count = grid.offsets, grid.ids, len(grid.types)
     parts: list[bytes] = [
         b"# vtk DataFile Version 5.1\n",
         title(mesh.name) + b"\nBINARY\nDATASET UNSTRUCTURED_GRID\n",
@@ -39,17 +36,22 @@ def write(mesh: Mesh) -> bytes:
         offsets.astype(">i8").tobytes(),
         b"\nCONNECTIVITY vtktypeint64\n",
         *(ids[start : start + CHUNK].astype(">i8").tobytes() for start in range(0, len(ids), CHUNK)),
-        f"\nCELL_TYPES {mesh.cell_count}\n".encode(),
-        cell_types(mesh).astype(">i4").tobytes(),
+        f"\nCELL_TYPES {cell_count}\n".encode(),
+        grid.types.astype(">i4").tobytes(),
         b"\n",
     ]
-    for section, data, count in (
-        ("POINT_DATA", mesh.point_data, mesh.vertex_count),
-        ("CELL_DATA", mesh.cell_data, mesh.cell_count),
+    for section, data, numbers, name_of_numbers, count in (
+        ("POINT_DATA", grid.point_data, grid.point_ids, NODE_IDS, mesh.vertex_count),
+        ("CELL_DATA", grid.cell_data, grid.cell_ids, ELEMENT_IDS, cell_count),
     ):
         data = {name: values for name, values in data.items() if values.size}
+        if data or numbers is not None:
+            parts.append(f"{section} {count}\n".encode())
+        if numbers is not None:
+            parts += [f"GLOBAL_IDS {name_of_numbers} vtktypeint64\n".encode()]
+            parts += [numbers.astype(">i8").tobytes(), b"\n"]
         if data:
-            parts.append(f"{section} {count}\nFIELD FieldData {len(data)}\n".encode())
+            parts.append(f"FIELD FieldData {len(data)}\n".encode())
         for name, values in data.items():
             values = storable(values)
             width = values.size // count if count else 1
@@ -57,26 +59,6 @@ def write(mesh: Mesh) -> bytes:
             parts.append(f"{encoded(name)} {width} {count} {number_type}\n".encode())
             parts += [values.astype(values.dtype.newbyteorder(">")).tobytes(), b"\n"]
     return b"".join(parts)
-
-
-def connectivity(mesh: Mesh) -> tuple[NDArray[np.int64], NDArray[np.int32]]:
-    """Offsets (C + 1) and vertex ids of the cells' own corners, in VTK's order, cell after cell."""
-    sizes = np.array([len(own) for own in CORNERS_OF_KIND])[mesh.kinds]
-    offsets = np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64)
-    ids = np.empty(int(offsets[-1]), dtype=np.int32)
-    if (mesh.kinds == HEXAHEDRON).all():
-        ids.reshape(-1, 8)[:] = mesh.corners.T
-        return offsets, ids
-    for kind, own in enumerate(CORNERS_OF_KIND):
-        which = np.flatnonzero(mesh.kinds == kind)
-        for number, place in enumerate(own):
-            ids[offsets[which] + number] = mesh.corners[place][which]
-    return offsets, ids
-
-
-def cell_types(mesh: Mesh) -> NDArray[np.uint8]:
-    """(C,) VTK's cell types."""
-    return np.array(TYPES_OF_KINDS, dtype=np.uint8)[mesh.kinds]
 
 
 def interleaved(coordinates: Array, dtype: str) -> bytes:

@@ -9,8 +9,9 @@ import numpy as np
 
 from ..arrays import Array
 from ..mesh import Mesh
+from .vtk_grid import ELEMENT_IDS, NODE_IDS, grid_of
 from .vtu_arrays import TYPES
-from .write_vtk import cell_types, connectivity, storable
+from .write_vtk import storable
 
 BLOCK = 1 << 20
 NAMES = {code: name for name, code in TYPES.items()}
@@ -18,21 +19,27 @@ NAMES = {code: name for name, code in TYPES.items()}
 
 def write(mesh: Mesh) -> bytes:
     """The bytes of a `.vtu` file with all attributes; cells stay in their order."""
-    offsets, ids = connectivity(mesh)
+    grid = grid_of(mesh)
     parts = [
         b'<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" '
         b'header_type="UInt64" compressor="vtkZLibDataCompressor">\n<UnstructuredGrid>\n',
-        f'<Piece NumberOfPoints="{mesh.vertex_count}" NumberOfCells="{mesh.cell_count}">\n'.encode(),
+        f'<Piece NumberOfPoints="{mesh.vertex_count}" NumberOfCells="{len(grid.types)}">\n'.encode(),
     ]
-    for section, data in (("PointData", mesh.point_data), ("CellData", mesh.cell_data)):
-        parts.append(f"<{section}>\n".encode())
+    for section, data, numbers, name_of_numbers in (
+        ("PointData", grid.point_data, grid.point_ids, NODE_IDS),
+        ("CellData", grid.cell_data, grid.cell_ids, ELEMENT_IDS),
+    ):
+        declared = f' GlobalIds="{name_of_numbers}"' if numbers is not None else ""
+        parts.append(f"<{section}{declared}>\n".encode())
+        if numbers is not None:
+            parts += array(name_of_numbers, numbers, 1)
         for name, values in data.items():
             if not values.size:
                 continue
             parts += array(name, values, values.shape[1] if values.ndim == 2 else 1)
         parts.append(f"</{section}>\n".encode())
     parts += [b"<Points>\n", *array("Points", mesh.coordinates.T, 3), b"</Points>\n<Cells>\n"]
-    for name, values in (("connectivity", ids), ("offsets", offsets[1:]), ("types", cell_types(mesh))):
+    for name, values in (("connectivity", grid.ids), ("offsets", grid.offsets[1:]), ("types", grid.types)):
         parts += array(name, values, 1)
     parts.append(b"</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n")
     return b"".join(parts)

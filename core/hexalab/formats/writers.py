@@ -3,26 +3,27 @@
 from __future__ import annotations
 
 import gzip
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
 
 from ..arrays import Array
 from ..errors import MeshWriteError
+from ..grouping import Grouping
+from ..groups import Group
 from ..mesh import Mesh
-from . import write_abaqus, write_gmsh, write_medit, write_meditb, write_vtk, write_vtu
-from .medit import REFERENCE
+from . import gmsh_entities, write_abaqus, write_gmsh, write_medit, write_meditb, write_vtk, write_vtu
+from .medit_features import REFERENCE
 from .writing import numbers_kept
+from .written_groups import numbered, tags_of
+
+MOST_NAMES = 6
 
 
 def everything(_on: str, _name: str, _values: Array) -> bool:
     """All attributes have a place."""
     return True
-
-
-def nothing(_on: str, _name: str, _values: Array) -> bool:
-    """No attribute has a place."""
-    return False
 
 
 def references(_on: str, name: str, values: Array) -> bool:
@@ -52,6 +53,14 @@ class Writer:
         Up to which number nodes and elements can have their own; 0 if they can't have any.
     in_order : bool
         Whether cells of several kinds stay in their order.
+    any_number : bool
+        Whether nodes and elements may have any whole numbers, several the same.
+    memberships : {"all", "one", "number"}
+        Of the groups that a cell is in, what has a place: all, the name of one, or one number.
+    nodes : bool
+        Whether groups of vertices have a place.
+    dimensions : tuple of int
+        Which features have a place.
     """
 
     id: str
@@ -62,13 +71,23 @@ class Writer:
     keeps: Callable[[str, str, Array], bool] = everything
     largest_number: int = 0
     in_order: bool = True
+    any_number: bool = False
+    memberships: Literal["all", "one", "number"] = "all"
+    nodes: bool = True
+    dimensions: tuple[int, ...] = (0, 1, 2)
 
 
 WRITERS: tuple[Writer, ...] = (
-    Writer("mesh", "mesh", "Medit ASCII", ".mesh", write_medit.write, references, in_order=False),
-    Writer("vtk", "vtk", "VTK legacy 5.1, binary", ".vtk", write_vtk.write),
-    Writer("vtu", "vtu", "VTK XML", ".vtu", write_vtu.write),
-    Writer("meshb", "meshb", "Medit binary", ".meshb", write_meditb.write, references, in_order=False),
+    Writer(
+        "mesh", "mesh", "Medit ASCII", ".mesh", write_medit.write, references,
+        in_order=False, memberships="number", nodes=False,
+    ),
+    Writer("vtk", "vtk", "VTK legacy 5.1, binary", ".vtk", write_vtk.write, any_number=True),
+    Writer("vtu", "vtu", "VTK XML", ".vtu", write_vtu.write, any_number=True),
+    Writer(
+        "meshb", "meshb", "Medit binary", ".meshb", write_meditb.write, references,
+        in_order=False, memberships="number", nodes=False,
+    ),
     Writer(
         "msh",
         "msh",
@@ -76,7 +95,8 @@ WRITERS: tuple[Writer, ...] = (
         ".msh",
         write_gmsh.write_4,
         write_gmsh.keeps,
-        write_gmsh.LARGEST_NUMBER,
+        gmsh_entities.LARGEST_NUMBER,
+        nodes=False,
     ),
     Writer(
         "msh2",
@@ -85,10 +105,21 @@ WRITERS: tuple[Writer, ...] = (
         ".msh",
         write_gmsh.write_2,
         write_gmsh.keeps,
-        write_gmsh.LARGEST_NUMBER,
+        gmsh_entities.LARGEST_NUMBER,
+        memberships="one",
+        nodes=False,
     ),
-    Writer("inp", "inp", "Abaqus", ".inp", write_abaqus.write, nothing, write_abaqus.LARGEST_NUMBER),
-)
+    Writer(
+        "inp",
+        "inp",
+        "Abaqus",
+        ".inp",
+        write_abaqus.write,
+        write_abaqus.keeps,
+        write_abaqus.LARGEST_NUMBER,
+        dimensions=(2,),
+    ),
+)  # fmt: skip
 """The formats that are written."""
 
 
@@ -128,16 +159,65 @@ def left_behind(mesh: Mesh, row: Writer) -> list[str]:
         if not row.keeps(on, name, values)
     ]
     out = [f"{row.name} has no place for the attributes {', '.join(lost)}: left out."] if lost else []
-    for what, numbers in (("nodes", mesh.vertex_numbers), ("elements", mesh.cell_numbers)):
-        if numbers is not None and not row.largest_number:
-            out.append(
-                f"{row.name} has no place for the numbers of {what}: they are counted from the first on."
-            )
-        elif not numbers_kept(numbers, row.largest_number):
-            out.append(
-                f"Numbers of {what} that occur twice, or are not 1 to {row.largest_number:,}, can't be written as "
-                f"{row.name}: all are counted from 1."
-            )
+    out += [*_numbers_lost(mesh, row), *groups_lost(mesh, row), *features_lost(mesh, row)]
     if not row.in_order and len(set(mesh.kinds.tolist())) > 1 and (mesh.kinds[1:] < mesh.kinds[:-1]).any():
         out.append(f"{row.name} groups cells by their kind: their order is another.")
     return out
+
+
+def _numbers_lost(mesh: Mesh, row: Writer) -> Iterator[str]:
+    for what, numbers in (("nodes", mesh.vertex_numbers), ("elements", mesh.cell_numbers)):
+        if row.any_number:
+            continue
+        if numbers is not None and not row.largest_number:
+            yield f"{row.name} has no place for the numbers of {what}: they are counted from the first on."
+        elif not numbers_kept(numbers, row.largest_number):
+            yield (
+                f"Numbers of {what} that occur twice, or are not 1 to {row.largest_number:,}, can't be written as "
+                f"{row.name}: all are counted from 1."
+            )
+
+
+def groups_lost(mesh: Mesh, row: Writer) -> Iterator[str]:
+    """What of the named groups a format has no place for."""
+    cells = [group for group in mesh.groups if group.on == "cell"]
+    nodes = [group for group in mesh.groups if group.on == "vertex"]
+    if nodes and not row.nodes:
+        yield f"{row.name} has no place for sets of nodes: {names_told(nodes)} left out."
+    if row.memberships == "one":
+        several = Grouping("", tuple(cells), mesh.cell_count).in_several
+        if several:
+            yield (
+                f"{row.name} has one group for each element: {several:,} that are in several belong to the "
+                "one of fewest members."
+            )
+    elif row.memberships == "number" and cells:
+        kept: list[Group] = []
+        if not write_medit.has_references(mesh):
+            kept, _ = numbered(cells, mesh.cell_count)
+            if kept:
+                pairs = zip(kept, tags_of(kept), strict=True)
+                told = ", ".join(f"{number} is {group.name}" for group, number in list(pairs)[:MOST_NAMES])
+                more = f" and {len(kept) - MOST_NAMES} more" if len(kept) > MOST_NAMES else ""
+                yield f"{row.name} has one number for each element and no names: {told}{more}."
+        lost = [group for group in cells if group not in kept and not told_by_array(mesh, group)]
+        if lost:
+            yield f"{row.name} has no place for the groups {names_told(lost)}: left out."
+
+
+def told_by_array(mesh: Mesh, group: Group) -> bool:
+    """Whether the attribute "reference" tells the group."""
+    return group.origin == REFERENCE and write_medit.has_references(mesh)
+
+
+def features_lost(mesh: Mesh, row: Writer) -> Iterator[str]:
+    """What of the elements of lower dimension a format has no place for."""
+    lost = [f"{part.count:,} {part.called}" for part in mesh.features if part.dimension not in row.dimensions]
+    if lost:
+        yield f"{row.name} has no place for elements of lower dimension: {', '.join(lost)} left out."
+
+
+def names_told(groups: Sequence[Group]) -> str:
+    """The names of groups, the first few of them."""
+    more = f" and {len(groups) - MOST_NAMES} more" if len(groups) > MOST_NAMES else ""
+    return ", ".join(group.name for group in groups[:MOST_NAMES]) + more

@@ -49,6 +49,13 @@ def test_info_refuses_in_the_words_of_the_row(name: str, capsys: pytest.CaptureF
     assert "Traceback" not in error
 
 
+@pytest.mark.parametrize("name", [name for name, row in READ.items() if row.groups])
+def test_groups_are_what_the_row_says(name: str) -> None:
+    groups = read(CASES / name).groups
+    assert tuple(group.name for group in groups) == READ[name].groups
+    assert all(group.count for group in groups)
+
+
 @pytest.mark.parametrize("name", [name for name, row in READ.items() if row.attributes])
 def test_attributes_are_what_the_row_says(name: str) -> None:
     data = read(CASES / name).cell_data

@@ -47,6 +47,10 @@ class Opened:
         Its entity, of a partitioned one the parent.
     views : dict of str to (dict of int to list of float)
         Data by name, by tag.
+    groups : dict of (int, int) to (str, list of int)
+        Of each physical group, by its dimension and tag: its name, and the tags of its elements.
+    lower : dict of int to list of int
+        Node tags of each element of lower dimension, by its tag.
     """
 
     points: dict[int, Any]
@@ -55,6 +59,8 @@ class Opened:
     partitions: dict[int, list[int]]
     entities: dict[int, int]
     views: dict[str, dict[int, list[float]]]
+    groups: dict[tuple[int, int], tuple[str, list[int]]]
+    lower: dict[int, list[int]]
 
 
 @dataclass(frozen=True)
@@ -65,12 +71,20 @@ class File:
     options: Sequence[tuple[str, float]] = ()
 
 
-def make(*files: File, wedges: bool = True, order: int = 1, gaps: bool = False, partitions: int = 0) -> Made:
+def make(
+    *files: File,
+    wedges: bool = True,
+    order: int = 1,
+    gaps: bool = False,
+    partitions: int = 0,
+    named: bool = False,
+) -> Made:
     """A unit cube of hexahedra, and on request a prism of wedges beside it, written to each of the files.
 
-    Volumes are in the physical groups 7 and 9. With `gaps`, node tags are 1007, 1014, ...
+    Volumes are in the physical groups 7 and 9. With `gaps`, node tags are 1007, 1014, ... Where it is `named`, the
+    groups have names, both volumes are in a third, and there are groups of surfaces, of curves and of a point.
     """
-    return _alone(_make, files, wedges, order, gaps, partitions)
+    return _alone(_make, files, wedges, order, gaps, partitions, named)
 
 
 def opened(path: Path) -> Opened:
@@ -88,7 +102,7 @@ def _alone(function: Callable[..., Any], *arguments: Any) -> Any:
         return pool.submit(function, *arguments).result()
 
 
-def _make(files: Sequence[File], wedges: bool, order: int, gaps: bool, partitions: int) -> Made:
+def _make(files: Sequence[File], wedges: bool, order: int, gaps: bool, partitions: int, named: bool) -> Made:
     import gmsh
 
     gmsh.initialize()
@@ -120,6 +134,15 @@ def _make(files: Sequence[File], wedges: bool, order: int, gaps: bool, partition
         gmsh.model.addPhysicalGroup(3, cube, 7)
         if prism:
             gmsh.model.addPhysicalGroup(3, prism, 9)
+        if named:
+            gmsh.model.setPhysicalName(3, 7, "rock")
+            gmsh.model.setPhysicalName(3, 9, "steel, hard")
+            gmsh.model.addPhysicalGroup(3, cube + prism, 11, "all")
+            gmsh.model.addPhysicalGroup(2, [1], 7, "floor")
+            sides = [tag for _, tag in gmsh.model.getBoundary([(3, cube[0])], oriented=False)]
+            gmsh.model.addPhysicalGroup(2, sides, 8, "skin")
+            gmsh.model.addPhysicalGroup(1, [1, 3], 2, "rim")
+            gmsh.model.addPhysicalGroup(0, [1], 1, "origin")
         gmsh.model.mesh.generate(3)
         gmsh.model.mesh.setOrder(order)
         if gaps:
@@ -152,7 +175,19 @@ def _opened(path: Path) -> Opened:
     try:
         gmsh.option.setNumber("General.Terminal", 0)
         gmsh.open(str(path))
-        found = Opened(_told(gmsh).points, {}, {}, {}, {}, {})
+        found = Opened(_told(gmsh).points, {}, {}, {}, {}, {}, {}, {})
+        for dimension, group in gmsh.model.getPhysicalGroups():
+            members = []
+            for entity in gmsh.model.getEntitiesForPhysicalGroup(dimension, group):
+                for tags in gmsh.model.mesh.getElements(dimension, entity)[1]:
+                    members += tags.tolist()
+            name = gmsh.model.getPhysicalName(dimension, group)
+            found.groups[dimension, group] = (name, sorted(members))
+        for dimension in range(3):
+            for kind, tags, nodes in zip(*gmsh.model.mesh.getElements(dimension), strict=True):
+                del kind
+                rows = np.asarray(nodes).reshape(len(tags), -1).tolist()
+                found.lower.update(zip(tags.tolist(), rows, strict=True))
         for dimension, entity in gmsh.model.getEntities(3):
             groups = [int(group) for group in gmsh.model.getPhysicalGroupsForEntity(dimension, entity)]
             parts = [int(part) for part in gmsh.model.getPartitions(dimension, entity)]

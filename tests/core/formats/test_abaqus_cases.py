@@ -46,11 +46,15 @@ def test_R5_nodes_within_instances() -> None:
     assert mesh.cell_numbers.tolist() == [1, 1]
 
 
-def test_R5_sets_are_not_lost_without_a_word() -> None:
+def test_R12_sets_are_kept() -> None:
     mesh = read(CASES / "abaqus-elset.inp")
     assert mesh.cell_count == 2
     np.testing.assert_allclose(signed_volumes(mesh), 1)
-    assert mesh.notes == ["2 element sets (STEEL, RUBBER) are not shown."]
+    assert mesh.notes == []
+    assert {group.id: group.members.tolist() for group in mesh.groups} == {
+        "elset:STEEL": [0],
+        "elset:RUBBER": [1],
+    }
 
 
 def test_R5_surplus_nodes_are_noted() -> None:

@@ -165,14 +165,3 @@ def test_R5_faces_of_fluid_cavities_are_no_tetrahedra() -> None:
     mesh = read_bytes((nodes() + ELEMENT + faces).encode(), "x.inp")
     assert mesh.kind_counts == {"hexahedron": 1}
     assert "faces of fluid cavities, of type F3D4 (1)" in mesh.notes[0]
-
-
-def test_R5_names_of_sets_in_one_note() -> None:
-    sets = "".join(f"*Elset, elset=E{n}, generate\n1, 1, 1\n*Elset, elset=e{n}\n1,\n" for n in range(7))
-    sets += (
-        "*Nset, nset=Top\n1, 2\n*Surface, name=S1, type=ELEMENT\nE1, S1\n*Nset, nset=_Picked, internal\n1,\n"
-    )
-    mesh = read_bytes((nodes() + ELEMENT + sets).encode(), "x.inp")
-    assert mesh.notes == [
-        "7 element sets (E0, E1, E2, E3, E4 and 2 more), 1 node set (Top) and 1 surface (S1) are not shown."
-    ]

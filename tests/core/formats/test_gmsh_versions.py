@@ -72,13 +72,13 @@ def test_R12_the_entity_of_a_partitioned_cell_is_that_of_the_geometry() -> None:
 
 
 def test_R12_what_is_not_kept_of_a_file_is_told() -> None:
-    assert any("7 is ‘rock’" in note for note in read(CASES / "gmsh-physical-names.msh").notes)
     assert any("‘stress’" in note for note in read(CASES / "gmsh-element-node-data.msh").notes)
     several = "$Entities\n0 0 0 1\n1 0 0 0 1 1 1 2 5 7 0\n$EndEntities\n"
     text = (CASES / "gmsh-partitioned.msh").read_text()
     start, end = text.index("$Entities"), text.index("$Nodes")
     mesh = read_bytes((text[:start] + several + text[end:].replace("3 2 5 1", "3 1 5 1")).encode(), "x.msh")
     assert mesh.cell_data["physical"].tolist() == [5, 0]
+    assert [(group.number, group.members.tolist()) for group in mesh.groups] == [(5, [0]), (7, [0])]
     assert any("several physical groups" in note for note in mesh.notes)
 
 

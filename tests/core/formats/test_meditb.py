@@ -48,7 +48,8 @@ def test_R2_versions_and_byte_orders(version: int, order: str) -> None:
     check(mesh, sample, 1e-6 if version == 1 else 0)
     assert mesh.cell_data["reference"].tolist() == [5] * 5
     assert mesh.point_data["reference"].tolist() == [i % 3 for i in range(13)]
-    assert mesh.notes == ["Left out, as they are no volumetric cells that can be shown: triangles (1)."]
+    assert mesh.notes == []
+    assert [part.corners.T.tolist() for part in mesh.features] == [[[0, 1, 2, 2]]]
 
 
 def test_R2_the_content_decides_not_the_name() -> None:

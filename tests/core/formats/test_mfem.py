@@ -41,7 +41,9 @@ def test_R5_cells_of_all_kinds() -> None:
     mesh = read_bytes(mfem(sample), "x.mesh")
     check(mesh, sample)
     assert mesh.format == "mfem" and mesh.cell_data["attribute"].tolist() == [1, 2, 3, 4, 5]
-    assert mesh.notes == ["Left out, as they are no volumetric cells that can be shown: quadrilaterals (1)."]
+    assert mesh.notes == []
+    (faces,) = mesh.features
+    assert faces.corners.T.tolist() == [[0, 1, 2, 3]] and faces.data["attribute"].tolist() == [7]
 
 
 @pytest.mark.parametrize("ordering", [0, 1])
@@ -58,11 +60,19 @@ def test_R5_vertices_of_a_curved_mesh_are_its_first_nodes(ordering: int, collect
 
 
 def test_R6_version_1_3_and_its_sets() -> None:
-    sets = b'\nattribute_sets\n1\n"base" 2 1 2\n\nmfem_mesh_end\n'
+    sets = b'\nattribute_sets\n2\n"base" 2 1 2\n"the rest" 3 3 4 5\n\n'
+    walls = b'\nbdr_attribute_sets\n1\n"wall" 2 7 8\n\nmfem_mesh_end\n'
     sample = mixed()
     text = mfem(sample, header="MFEM mesh v1.3")
     head, boundary = text.split(b"\nboundary")
-    check(read_bytes(head + sets + b"boundary" + boundary + sets, "x.mesh"), sample)
+    mesh = read_bytes(head + sets + b"boundary" + boundary + walls, "x.mesh")
+    check(mesh, sample)
+    assert {group.id: group.members.tolist() for group in mesh.groups} == {
+        "attribute_set:base": [0, 1],
+        "attribute_set:the rest": [2, 3, 4],
+    }
+    (faces,) = mesh.features
+    assert [(group.name, group.members.tolist()) for group in faces.groups] == [("wall", [0])]
 
 
 @pytest.mark.parametrize(

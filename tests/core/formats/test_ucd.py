@@ -84,14 +84,16 @@ def test_R5_what_meshio_writes(tmp_path: Path) -> None:
     np.testing.assert_array_equal(mesh.cell_data["flow"], flow)
 
 
-def test_R5_values_keep_their_places_though_lines_are_in_another_order_and_elements_are_left_out() -> None:
+def test_R5_values_keep_their_places_though_lines_are_in_another_order_beside_faces() -> None:
     sample = grid(2, 1, 1)
     text = ucd(sample, counts="0 1 0").replace(b"12 2 0 1 0", b"12 3 0 1 0")
     text += b"99 4 quad 10 20 50 40\n1 1\nheat, K\n99 5\n8 2.5\n7 -nan(ind)\n"
     mesh = read_bytes(text, "x.ucd")
     assert mesh.cell_count == 2
     assert np.isnan(mesh.cell_data["heat"][0]) and mesh.cell_data["heat"][1] == 2.5
-    assert mesh.notes[-1].endswith("quadrilaterals (1).")
+    (faces,) = mesh.features
+    assert mesh.vertex_numbers[faces.corners[:, 0]].tolist() == [10, 20, 50, 40]
+    assert faces.data["material"].tolist() == [4]
 
 
 def test_R5_an_inverted_cell_stays_inverted_among_sound_ones() -> None:

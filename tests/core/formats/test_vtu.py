@@ -104,7 +104,8 @@ def test_R4_voxels_and_surfaces(tmp_path: Path) -> None:
     insert(data, 9, [0, 1, 5, 4])
     mesh = read_bytes(xml(data, tmp_path / "x.vtu"), "x.vtu")
     np.testing.assert_allclose(signed_volumes(mesh), 1)
-    assert mesh.cell_count == 6 and "quadrilaterals (1)" in mesh.notes[0]
+    assert mesh.cell_count == 6 and mesh.notes == []
+    assert mesh.features[0].corners.T.tolist() == [[0, 1, 5, 4]]
 
 
 def test_R4_arrays_in_any_order_and_unknown_elements(tmp_path: Path) -> None:

@@ -109,10 +109,7 @@ def test_A1_meshio_reads_decks_of_all_kinds_it_knows(tmp_path: Path) -> None:
 def test_A1_decks_keep_cells_and_numbers_in_order(tmp_path: Path) -> None:
     mesh = numbered()
     lost = write(mesh, tmp_path / "x.inp")
-    assert (
-        len(lost) == 1
-        and "height (of vertices), shift (of vertices), part (of cells), flow (of cells)" in lost[0]
-    )
+    assert len(lost) == 1 and "height (of vertices), shift (of vertices), flow (of cells)" in lost[0]
     back = read(tmp_path / "x.inp")
     check(back, mixed())
     check_numbers(back, mesh)
@@ -193,7 +190,7 @@ def test_R8_what_has_no_place_is_told() -> None:
     )
     assert "attributes pair (of cells), long (of cells):" in told["msh"]
     assert "height" not in told["msh"] and "numbers" not in told["msh2"]
-    assert "attributes" not in told["vtk"] and "numbers of elements" in told["vtu"]
+    assert told["vtk"] == told["vtu"] == ""
     twice = replace(mesh, cell_numbers=np.array([1, 1, 2, 3, 4]))
     assert "occur twice" in " ".join(left_behind(twice, writer_of(Path("x.inp"))))
     back = read_bytes(write_bytes(twice, "inp"), "x.inp")
