@@ -61,6 +61,11 @@ class Group:
         """Number of members."""
         return len(self.members)
 
+    def has(self, row: int) -> bool:
+        """Whether a row is a member."""
+        place = int(np.searchsorted(self.members, row))
+        return place < self.count and int(self.members[place]) == row
+
     def among(self, place: Ids) -> Group:
         """The same group of other rows: `place` has the new row of each old one, -1 where it is gone."""
         rows = place[self.members]

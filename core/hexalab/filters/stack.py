@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arrays import Floats
+from ..arrays import Floats, Ids
 from ..mesh import Mesh
 from ..quality import METRICS
 from ..topology import Topology
@@ -49,6 +49,8 @@ class FilterStack:
         Gives the values of a quantity, a metric or an attribute, by its id.
     topology : Topology, optional
         What peeling and regularisation walk over, if not the mesh's own.
+    members : callable, str to (n,) int, optional
+        Gives the rows of a group's cells, by its id; none by default.
 
     Examples
     --------
@@ -56,8 +58,15 @@ class FilterStack:
     >>> shown = stack.apply({"peel": {"depth": 1}})                              # doctest: +SKIP
     """
 
-    def __init__(self, mesh: Mesh, values: Callable[[str], Floats], topology: Topology | None = None) -> None:
+    def __init__(
+        self,
+        mesh: Mesh,
+        values: Callable[[str], Floats],
+        topology: Topology | None = None,
+        members: Callable[[str], Ids] | None = None,
+    ) -> None:
         self._mesh = mesh
+        self._members = members
         self._topology = topology or mesh.topology
         self._values = values
         self._places: OrderedDict[Hashable, Places] = OrderedDict()
@@ -70,7 +79,7 @@ class FilterStack:
         A section that is missing hides nothing. The array is the caller's.
         """
         hidden = self._cut(filters)
-        for others in (self._by_quality(filters), self._by_parts(filters)):
+        for others in (self._by_quality(filters), self._by_parts(filters), self._by_groups(filters)):
             if others is not None:
                 hidden = hidden | others
         return ~self._picked(hidden, filters)
@@ -81,7 +90,7 @@ class FilterStack:
         Parameters
         ----------
         group : str
-            "cut" (planes and peel, regularised), "quality", "parts", "picking".
+            "cut" (planes and peel, regularised), "quality", "parts", "groups", "picking".
         filters : dict
             As `apply` takes them.
         """
@@ -90,6 +99,7 @@ class FilterStack:
             "cut": lambda: self._cut(filters),
             "quality": lambda: self._by_quality(filters),
             "parts": lambda: self._by_parts(filters),
+            "groups": lambda: self._by_groups(filters),
             "picking": lambda: self._picked(none, filters),
         }
         hidden = groups[group]()
@@ -121,8 +131,12 @@ class FilterStack:
         return self._kept("quality", bands, lambda: self._outside(bands)) if bands else None
 
     def _by_parts(self, filters: Settings) -> Hidden | None:
-        parts = _parts(filters.get("parts", {}))
+        parts = _chosen(filters.get("parts", {}))
         return self._kept("parts", parts, lambda: self._in_hidden_parts(*parts)) if parts else None
+
+    def _by_groups(self, filters: Settings) -> Hidden | None:
+        groups = _chosen(filters.get("groups", {}))
+        return self._kept("groups", groups, lambda: self._in_hidden_groups(*groups)) if groups else None
 
     def _picked(self, hidden: Hidden, filters: Settings) -> Hidden:
         """What is hidden, and then what was hidden or shown by hand."""
@@ -171,6 +185,13 @@ class FilterStack:
         some = (np.array([one for one in list if one < count], dtype=np.intp) for list in (hidden, shown))
         return np.asarray(pick(np.zeros(count, dtype=bool), isolated, *some)[part])
 
+    def _in_hidden_groups(self, isolated: bool, hidden: tuple[str, ...], shown: tuple[str, ...]) -> Hidden:
+        """Cells of groups that are hidden; one that is in a shown group too is shown."""
+        none: Ids = np.zeros(0, dtype=np.int32)
+        members = self._members or (lambda _: none)
+        some = (np.concatenate([none, *map(members, ids)]).astype(np.intp) for ids in (hidden, shown))
+        return pick(np.zeros(self._mesh.cell_count, dtype=bool), isolated, *some)
+
     def _kept(self, name: str, key: Any, make: Callable[[], Hidden]) -> Hidden:
         """A filter's mask, made anew only if its settings changed."""
         if name not in self._masks or self._masks[name][0] != key:
@@ -205,8 +226,8 @@ def _bands(settings: Settings) -> Bands:
     return tuple(row for row in rows if row[2] is not None or row[3] is not None)
 
 
-def _parts(settings: Settings) -> tuple[bool, tuple[int, ...], tuple[int, ...]] | None:
-    """Which parts are hidden: all but the shown, or some; None for none."""
+def _chosen(settings: Settings) -> tuple[bool, tuple[Any, ...], tuple[Any, ...]] | None:
+    """Which parts or groups are hidden: all but the shown, or some; None for none."""
     isolated, hidden, shown = (settings.get(name, ()) for name in ("isolated", "hidden", "shown"))
     if not settings.get("enabled", True) or not (isolated or len(hidden)):
         return None

@@ -21,14 +21,16 @@ from numpy.typing import NDArray
 
 from .. import attributes
 from .. import status as documents
+from ..cell_lists import cell_list
 from ..diagnosis import turn_round
 from ..errors import HexaLabError
 from ..formats import read_bytes
 from ..mesh import Mesh
-from ..packing import jsonable, pack
-from . import inspection, known, measuring, shown_cells
+from ..packing import jsonable
+from . import going, inspection, known, measuring, shown_cells
 from .opened import DESCRIBED, Opened
 from .picture import Picture, quantity_of
+from .preview import preview_of
 
 __all__ = ["DESCRIBED", "Session"]
 
@@ -250,25 +252,7 @@ class Session:
         settings : dict, optional
             A checked part of a status: what it is drawn under, where that is not the default.
         """
-        opened = self._open_mesh()
-        opened.described("edges")
-        picture = Picture(opened)
-        whole = documents.merge(documents.DEFAULTS, settings or {})
-        records = picture.update(documents.core_part(whole))
-        mesh = opened.mesh
-        summary = {
-            "name": mesh.name,
-            "cells": mesh.cell_count,
-            "vertices": mesh.vertex_count,
-            **opened.placed,
-        }
-        shown = {"shown_cells": int(np.count_nonzero(picture.shown)), "shown_faces": picture.shown_faces()}
-        names = [
-            name
-            for name in ("surface", "silhouette", "see_through", "irregular", "colour")
-            if name in records
-        ]
-        return pack({"summary": summary, **shown, **{name: records[name] for name in names}})
+        return preview_of(self._open_mesh(), settings)
 
     def save_cells(
         self, format: str, metrics: Sequence[str] = (), attributes: Sequence[str] | None = None
@@ -315,6 +299,11 @@ class Session:
         shown = self._drawn().shown if shown_only else None
         return measuring.histogram_of(opened, quantity, int(bins), shown, limits)
 
+    def group_table(self) -> list[Result]:
+        """Measure the groups of cells: `id`, `volume`, `scaled_jacobian_min` and `_mean`, `invalid` of each."""
+        rows: list[Result] = jsonable(self._open_mesh().group_table())
+        return rows
+
     def validity(self) -> Result:
         """Return how many cells are certified valid, invalid or undecided, and which are invalid."""
         found = self._open_mesh().validity
@@ -340,6 +329,18 @@ class Session:
             Whether it is known; if not, ask again when nothing else waits.
         """
         return self._open_mesh().mean_volumes.step()
+
+    def numbers(self) -> Result:
+        """Tell how the file numbers cells; see `going.numbers_of`."""
+        return going.numbers_of(self._open_mesh())
+
+    def find(self, kind: str, number: int, direction: list[float] | None = None) -> Result:
+        """Find a cell or a vertex by the file's number, and what lies around it; see `going.find`."""
+        return going.find(self._open_mesh(), kind, int(number), direction)
+
+    def cell_list(self, cells: list[int], form: str, name: str = "cells") -> str:
+        """Write cells as a text for other programs; see `hexalab.cell_list`."""
+        return cell_list(self._open_mesh().mesh, [self._cell(cell) for cell in cells], form, name)
 
     def cell_view(self, cell: int) -> Result:
         """Return a cell's centre, size and edges in drawing coordinates; see `inspection.where`."""

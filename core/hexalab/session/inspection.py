@@ -13,6 +13,7 @@ from ..attributes import average_corners, cell_values
 from ..cells import CORNERS_OF_KIND, EDGES, KINDS
 from ..diagnosis import Finding
 from ..mesh import Mesh
+from ..numbering import cell_numbers, vertex_numbers
 from ..quality import METRICS, certify, quality_many
 from ..quality.sizes import NEEDS as SIZED
 from ..quality.validity import STATES
@@ -26,7 +27,8 @@ def inspect(opened: Opened, cell: int) -> dict[str, Any]:
     Returns
     -------
     dict
-        `cell`, `kind`, `corners` (vertex ids of its own corners), `coordinates` (one [x, y, z] for each),
+        `cell` (its row), `number` (the file's), `kind`, `corners` (rows of its own corners), `nodes` (the file's
+        numbers of them), `coordinates` (one [x, y, z] for each), `groups` (ids of those that it is in),
         `metrics` (id to value, None where it is not finite; only those that the kind has), `pending` (metrics
         that compare with the mesh's mean volume and wait for it, None among `metrics`), `attributes` (name to value
         or list), `neighbours` (six cells, -1 outside), `validity` ("valid", "invalid" or "undecided").
@@ -38,8 +40,11 @@ def inspect(opened: Opened, cell: int) -> dict[str, Any]:
     metrics = cell_metrics(opened, cell, own)
     return {
         "cell": cell,
+        "number": int(cell_numbers(mesh, [cell])[0]),
         "kind": KINDS[kind],
         "corners": corners.tolist(),
+        "nodes": vertex_numbers(mesh, corners).tolist(),
+        "groups": [id for id, group in opened.groups.of_cells.items() if group.has(cell)],
         "coordinates": mesh.coordinates[:, corners].T.tolist(),
         "metrics": {id: metrics.get(id) for id in own},
         "pending": [id for id in own if id not in metrics],

@@ -32,7 +32,7 @@ def checked(partial: Partial, opened: Opened | None) -> tuple[Partial, list[Reje
         out["colour"] = _colour(dict(out["colour"]), opened, rejections)
     if "filters" in out:
         out["filters"] = dict(out["filters"])
-        for name, check in (("quality", _bands), ("picking", _cells)):
+        for name, check in (("quality", _bands), ("groups", _groups), ("picking", _cells)):
             if name in out["filters"]:
                 out["filters"][name] = check(dict(out["filters"][name]), opened, rejections)
     return out, rejections
@@ -50,7 +50,26 @@ def _colour(colour: Partial, opened: Opened | None, rejections: list[Rejection])
         del colour["attribute"]
         if colour.get("by") == "attribute":
             del colour["by"]
+    grouping = colour.get("grouping")
+    if grouping and opened and grouping not in opened.groups.groupings:
+        rejections.append(_unknown("colour.grouping", grouping, opened.groups.groupings))
+        del colour["grouping"]
+        if colour.get("by") == "group":
+            del colour["by"]
     return colour
+
+
+def _groups(groups: Partial, opened: Opened | None, rejections: list[Rejection]) -> Partial:
+    for name in ("hidden", "shown"):
+        ids = groups.get(name)
+        if not ids or not opened:
+            continue
+        kept = [id for id in ids if id in opened.groups.of_cells]
+        for id in ids:
+            if id not in opened.groups.of_cells:
+                rejections.append(_unknown(f"filters.groups.{name}", id, opened.groups.of_cells))
+        groups[name] = kept
+    return groups
 
 
 def _bands(quality: Partial, opened: Opened | None, rejections: list[Rejection]) -> Partial:

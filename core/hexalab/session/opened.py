@@ -15,6 +15,7 @@ from ..diagnosis import Finding, diagnose
 from ..errors import HexaLabError
 from ..filters.plane import unit
 from ..filters.stack import FilterStack
+from ..group_facts import group_measures, listed_features
 from ..mesh import Mesh
 from ..quality import METRICS, Validity, certify, quality, statistics
 from ..status import OpenMesh
@@ -22,9 +23,10 @@ from ..status.views import three_quarters
 from ..summary import STRUCTURE
 from ..surface import DrawnMesh, Irregular, extract_irregular, long_axis, outline, skin
 from ..topology.shapes import SHAPES, shapes
+from .grouped import GroupBook
 from .mean_volumes import MeanVolumes
 
-DESCRIBED = (*STRUCTURE, "shapes", "parts", "findings")
+DESCRIBED = ("groups", *STRUCTURE, "shapes", "parts", "findings")
 """Parts of a description, to be asked for one by one."""
 
 CLEARANCE = 1e-9
@@ -60,6 +62,16 @@ class Opened:
         self._ranges: dict[str, tuple[float, float] | None] = {}
         self._statistics: dict[str, dict[str, Any]] = {}
         self._irregular: dict[tuple[bool, bool], Irregular] = {}
+
+    @cached_property
+    def groups(self) -> GroupBook:
+        """The file's groups, and those that its arrays make."""
+        return GroupBook(self.mesh)
+
+    @cached_property
+    def features(self) -> dict[str, dict[str, Any]]:
+        """What features there are; see `hexalab.group_facts.listed_features`."""
+        return listed_features(self.mesh)
 
     @cached_property
     def attributes(self) -> dict[str, Attribute]:
@@ -100,7 +112,7 @@ class Opened:
     @cached_property
     def filters(self) -> FilterStack:
         """The filters, with what they keep between two settings."""
-        return FilterStack(self.mesh, self.values, self.drawn_mesh.topology)
+        return FilterStack(self.mesh, self.values, self.drawn_mesh.topology, self.groups.members)
 
     @cached_property
     def findings(self) -> list[Finding]:
@@ -111,6 +123,16 @@ class Opened:
     def validity(self) -> Validity:
         """Certified validity of every cell."""
         return certify(self.mesh)
+
+    def group_table(self) -> list[dict[str, Any]]:
+        """Return what there is to tell of each group of cells; see `hexalab.group_facts.group_measures`.
+
+        With the group's `id`; invalid are cells whose Jacobian is somewhere not positive.
+        """
+        groups = list(self.groups.of_cells.values())
+        invalid = self.validity.state == 0
+        rows = group_measures(groups, self.values("volume"), self.values("scaled_jacobian"), invalid)
+        return [{"id": group.id, **row} for group, row in zip(groups, rows, strict=True)]
 
     def described(self, part: str) -> dict[str, Any]:
         """Return one part of the mesh's description, a name of `DESCRIBED`."""
@@ -126,6 +148,8 @@ class Opened:
                 for found in self.findings
             ]
             return {"findings": rows}
+        if part == "groups":
+            return {"groups": self.groups.listed(), "features": self.features}
         if part == "shapes":
             counts = np.bincount(self.shapes, minlength=len(SHAPES))
             return {"shapes": {name: int(count) for name, count in zip(SHAPES, counts, strict=True) if count}}

@@ -20,6 +20,10 @@ CATEGORIES: dict[str, tuple[str, Callable[[Opened], NDArray[Any]]]] = {
     "kind": ("Cell kind", lambda opened: opened.shapes),
     "part": ("Part", lambda opened: opened.mesh.topology.parts[0]),
 }
+
+GROUP = "group:"
+"""What the quantity begins with where cells are coloured by group; the groups' origin follows."""
+
 """What cells are coloured by that has no scale: its name, and the number of each cell's category."""
 
 COLOURS = 256
@@ -71,7 +75,8 @@ class Picture:
         if irregular is not None and not pending:
             self._renew(parts, "irregular", irregular, self._extract_irregular, *irregular)
         colour = settings["colour"]
-        coloured = (quantity_of(colour), _frozen(colour["range"]) if colour["by"] not in CATEGORIES else None)
+        mapped = colour["by"] in ("quality", "attribute")
+        coloured = (quantity_of(colour), _frozen(colour["range"]) if mapped else None)
         self._renew(parts, "colour", coloured, self.colour, colour)
         parts["pending"] = ["irregular"] if pending else []
         return parts
@@ -93,6 +98,8 @@ class Picture:
         opened, quantity = self.opened, quantity_of(colour)
         if quantity is None:
             return None
+        if quantity.startswith(GROUP):
+            return self._colour_by_group(quantity.removeprefix(GROUP))
         if quantity in CATEGORIES:
             label, categories = CATEGORIES[quantity]
             places = categories(opened).astype(np.float32)
@@ -114,6 +121,30 @@ class Picture:
             "low": low,
             "high": high,
             "high_first": quantity in METRICS and METRICS[quantity].better == "high",
+        }
+
+    def _colour_by_group(self, origin: str) -> dict[str, Any] | None:
+        """Return each cell's colour by its group of an origin, the first one by default; None without groups."""
+        book = self.opened.groups
+        origin = origin or next(iter(book.groupings), "")
+        if not origin:
+            return None
+        grouping, colours = book.grouping(origin), book.colours(origin)
+        places = np.append(colours, 0).astype(np.float32)[grouping.labels]
+        places[grouping.labels < 0] = np.nan
+        return {
+            "map_position": places,
+            "quantity": GROUP + origin,
+            "label": origin,
+            "low": None,
+            "high": None,
+            "high_first": False,
+            "groups": [
+                {"id": group.id, "colour": colour}
+                for group, colour in zip(grouping.groups, colours.tolist(), strict=True)
+            ],
+            "without": int(np.count_nonzero(grouping.labels < 0)),
+            "in_several": grouping.in_several,
         }
 
     def _filter(self, filters: Settings) -> None:
@@ -170,6 +201,7 @@ def quantity_of(colour: Settings) -> str | None:
         "attribute": colour["attribute"],
         "kind": "kind",
         "part": "part",
+        "group": GROUP + colour["grouping"],
     }.get(by)
 
 

@@ -12,8 +12,9 @@ import re
 from dataclasses import dataclass
 from typing import Any
 
-from .schema import SCHEMA, Schema, default_of
+from .schema import SCHEMA, default_of
 from .words import expected_of
+from .words_of_schema import Schema
 
 FOUND_LENGTH = 60
 

@@ -8,40 +8,24 @@ from __future__ import annotations
 
 from typing import Any
 
-Schema = dict[str, Any]
+from .figure_schema import FIGURE
+from .words_of_schema import (
+    CELL_IDS,
+    COLOUR,
+    DIRECTION,
+    GROUP_IDS,
+    ON,
+    OPEN_END,
+    UNIT,
+    VECTOR,
+    Schema,
+    choice,
+    core,
+    section,
+)
 
 VERSION = 2
 """Version 1 called the quantity of a band its `source`."""
-
-UNIT = {"type": "number", "minimum": 0, "maximum": 1}
-COLOUR = {"type": "string", "pattern": "^#[0-9a-fA-F]{6}$", "maxLength": 7}
-VECTOR = {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3}
-DIRECTION = {**VECTOR, "contains": {"not": {"const": 0}}}
-OPEN_END = {"type": ["number", "null"], "default": None}
-CELL_IDS = {"type": "array", "items": {"type": "integer", "minimum": 0}, "default": []}
-ON = {"type": "boolean", "default": True}
-
-
-def section(description: str, /, *required: str, **properties: Schema) -> Schema:
-    """Build the schema of an object whose properties are these and no others."""
-    schema: Schema = {
-        "type": "object",
-        "description": description,
-        "properties": properties,
-        "additionalProperties": False,
-    }
-    return {**schema, "required": list(required)} if required else schema
-
-
-def core(schema: Schema) -> Schema:
-    """Mark a setting that the core acts on; all others concern the viewer alone."""
-    return {**schema, "core": True}
-
-
-def choice(default: str, *others: str, description: str = "") -> Schema:
-    """Build the schema of one word out of several; the first is the default."""
-    return {"enum": [default, *others], "default": default, "description": description}
-
 
 MESH = section(
     "The mesh that the view was made of; tells, and is not applied.",
@@ -129,6 +113,13 @@ FILTERS = section(
         hidden=CELL_IDS,
         shown=CELL_IDS,
     ),
+    groups=section(
+        "The file's groups of cells, by id: ORIGIN:NAME.",
+        enabled=ON,
+        isolated={"type": "boolean", "default": False, "description": "Hide all but the shown"},
+        hidden=GROUP_IDS,
+        shown=GROUP_IDS,
+    ),
     picking=section(
         "Cells hidden and shown by hand.",
         enabled=ON,
@@ -149,11 +140,19 @@ SEPARATION = section(
 
 COLOUR_BY = section(
     "What the faces are coloured by.",
-    by=core(choice("sides", "quality", "attribute", "kind", "part")),
+    by=core(choice("sides", "quality", "attribute", "kind", "part", "group")),
     outside={**COLOUR, "default": "#ffffff", "description": "Faces of the boundary"},
     inside={**COLOUR, "default": "#ffff00", "description": "Faces that filters expose"},
     metric=core({"type": "string", "minLength": 1, "default": "scaled_jacobian"}),
     attribute=core({"type": "string", "default": "", "description": "cell:NAME or point:NAME"}),
+    grouping=core(
+        {
+            "type": "string",
+            "maxLength": 500,
+            "default": "",
+            "description": "Origin of the groups; empty: the first",
+        }
+    ),
     map=choice("parula", "viridis", "jet", "red_blue"),
     reversed={"type": "boolean", "default": False, "description": "Whether the map runs the other way"},
     steps={
@@ -183,65 +182,6 @@ COLOUR_BY = section(
     ),
 )
 
-OFF = {"type": "boolean", "default": False}
-SIDE = {"type": ["number", "null"], "minimum": 1, "maximum": 8192, "default": None}
-CORNER = ("bottom_left", "bottom_right", "top_left", "top_right")
-
-FIGURE = section(
-    "A figure for print: the picture, and what stands around it.",
-    unit=choice("px", "mm", description="Of width and height"),
-    width={**SIDE, "description": "null: as wide as the picture on the screen, in pixels"},
-    height={**SIDE, "description": "null: as high as the picture on the screen, in pixels"},
-    resolution={
-        "type": "integer",
-        "minimum": 36,
-        "maximum": 2400,
-        "default": 300,
-        "description": "Dots per inch, of sizes in mm",
-    },
-    letters={"type": "number", "minimum": 4, "maximum": 72, "default": 8, "description": "Size in points"},
-    margin={"type": "number", "minimum": 0, "maximum": 200, "default": 0, "description": "In points"},
-    transparent={**OFF, "description": "Whether the background is"},
-    crop={**OFF, "description": "Whether what is empty around the mesh is cut off"},
-    legend=choice("none", "bar", "histogram", description="What the colours mean"),
-    legend_place=choice("right", "left"),
-    legend_title={"type": "string", "default": "", "description": "Empty: what is coloured by"},
-    scale_bar={**OFF, "description": "A length in the file's unit; in perspective, at the target's distance"},
-    scale_bar_place=choice(*CORNER),
-    axes={**OFF, "description": "The directions of x, y and z"},
-    axes_place=choice("bottom_right", "bottom_left", "top_left", "top_right"),
-    caption={**OFF, "description": "A line below the picture"},
-    caption_text={
-        "type": "string",
-        "maxLength": 1000,
-        "default": "",
-        "description": "Empty: the mesh's name and, if it is the catalogue's, its reference",
-    },
-    panels=section(
-        "Several pictures in a row, under settings that differ by one value.",
-        setting=choice(
-            "none",
-            "peel",
-            "regularisation",
-            "irregular",
-            "separation",
-            "lighting",
-            "slice",
-            "silhouette",
-            "line_opacity",
-            description="What differs",
-        ),
-        values={
-            "type": "array",
-            "items": {"type": "number"},
-            "maxItems": 6,
-            "default": [],
-            "description": "The setting's values; of words, their places in the list from 0",
-        },
-        labels={**ON, "description": "Whether they are called a), b), c), ..."},
-    ),
-)
-
 SCHEMA: Schema = {
     "$schema": "https://json-schema.org/draft/2020-12/schema",
     "title": "HexaLab status",
@@ -265,11 +205,36 @@ SCHEMA: Schema = {
                     "cut",
                     "quality",
                     "parts",
+                    "groups",
                     "picking",
                     description="Which: all that are hidden, or those that some filters hide (cut: slice and peel)",
                 )
             ),
             opacity={**UNIT, "default": 0.2},
+        ),
+        marks=core(
+            section(
+                "What is drawn over the mesh: the file's elements of lower dimension, sharp edges, sets of nodes, "
+                "faces between groups.",
+                corners=ON,
+                edges=ON,
+                faces={**ON, "default": False},
+                hidden={**GROUP_IDS, "description": "Groups of these that are not drawn: edges:ORIGIN:NAME"},
+                sharp_angle={
+                    "type": "number",
+                    "minimum": 0,
+                    "maximum": 180,
+                    "default": 180,
+                    "description": "Edges of the boundary whose faces differ by more, in degrees; 180: none",
+                },
+                nodes={**GROUP_IDS, "description": "Sets of nodes that are drawn: nset:NAME"},
+                interfaces={
+                    "type": "string",
+                    "maxLength": 500,
+                    "default": "",
+                    "description": "Origin of the groups whose common faces are drawn; empty: none",
+                },
+            )
         ),
         irregular=section(
             "Edges of irregular valence.",

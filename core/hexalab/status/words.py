@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from .schema import COLOUR, Schema
+from .words_of_schema import COLOUR, Schema
 
 KIND_WORDS = {
     "null": "null",
@@ -49,7 +49,7 @@ def _limit_words(schema: Schema) -> str:
 def _list_words(schema: Schema) -> str:
     low, high = schema.get("minItems"), schema.get("maxItems")
     each = schema["items"]
-    names = {"number": "numbers", "integer": "cell numbers", "object": "objects"}
+    names = {"number": "numbers", "integer": "cell numbers", "object": "objects", "string": "texts"}
     what = names[each["type"]]
     count = f"{low} " if low is not None and low == high else ""
     most = f", {high} at most" if high is not None and low is None else ""

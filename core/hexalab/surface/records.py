@@ -118,3 +118,33 @@ class Irregular:
     def arrays(self) -> dict[str, Any]:
         """All fields by name, not copied."""
         return dict(vars(self))
+
+
+@dataclass(frozen=True)
+class Marks:
+    """What is drawn over the surface: faces, edges and points, each with a colour of the palette of marks.
+
+    Attributes
+    ----------
+    faces : (12 F,) float32
+        Corners, four by four; a triangle repeats its last one.
+    edges : (6 E,) float32
+        End points.
+    points : (3 P,) float32
+    face_colours, edge_colours, point_colours : (F,), (E,), (P,) uint8
+    counts : dict of str to int
+        How many there are of what was asked for: "corners", "edges", "faces" (features), "sharp", "nodes",
+        "interfaces".
+    """
+
+    faces: Floats32
+    face_colours: Bytes
+    edges: Floats32
+    edge_colours: Bytes
+    points: Floats32
+    point_colours: Bytes
+    counts: dict[str, int] = field(default_factory=dict)
+
+    def arrays(self) -> dict[str, Any]:
+        """All fields by name, not copied."""
+        return dict(vars(self))

@@ -51,6 +51,12 @@
  *       readonly hidden: readonly number[],
  *       readonly shown: readonly number[],
  *     },
+ *     readonly groups: {
+ *       readonly enabled: boolean,
+ *       readonly isolated: boolean,
+ *       readonly hidden: readonly string[],
+ *       readonly shown: readonly string[],
+ *     },
  *     readonly picking: {
  *       readonly enabled: boolean,
  *       readonly isolated: boolean,
@@ -66,11 +72,12 @@
  *     readonly line_width: number,
  *   },
  *   readonly colour: {
- *     readonly by: "sides" | "quality" | "attribute" | "kind" | "part",
+ *     readonly by: "sides" | "quality" | "attribute" | "kind" | "part" | "group",
  *     readonly outside: string,
  *     readonly inside: string,
  *     readonly metric: string,
  *     readonly attribute: string,
+ *     readonly grouping: string,
  *     readonly map: "parula" | "viridis" | "jet" | "red_blue",
  *     readonly reversed: boolean,
  *     readonly steps: number,
@@ -82,7 +89,7 @@
  *   },
  *   readonly silhouette: number,
  *   readonly see_through: {
- *     readonly cells: "none" | "all" | "cut" | "quality" | "parts" | "picking",
+ *     readonly cells: "none" | "all" | "cut" | "quality" | "parts" | "groups" | "picking",
  *     readonly opacity: number,
  *   },
  *   readonly irregular: {

@@ -138,7 +138,8 @@ def test_R9_the_description_comes_in_parts(block: Session) -> None:
     whole = block.describe()
     parts = [block.describe(part) for part in DESCRIBED]
     assert {name: fact for part in parts for name, fact in part.items()} == whole
-    assert [set(part) for part in parts[:2]] == [
+    assert [set(part) for part in parts[:3]] == [
+        {"groups", "features"},
         {"faces", "boundary_faces", "nonmanifold_faces"},
         {"edges", "interior_edge_valence", "boundary_edge_valence"},
     ]
