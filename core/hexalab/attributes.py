@@ -45,6 +45,8 @@ class Attribute:
         The array's name in `Mesh.cell_data` or `Mesh.point_data`.
     component : int or None
         None for the array itself or its magnitude.
+    components : int
+        Numbers of which it is the magnitude: 3 for a vector; 1 for a number by itself.
     """
 
     id: str
@@ -52,6 +54,7 @@ class Attribute:
     on: Literal["cell", "point"]
     array: str
     component: int | None = None
+    components: int = 1
 
 
 def attributes(mesh: Mesh) -> dict[str, Attribute]:
@@ -78,6 +81,16 @@ def own_values(mesh: Mesh, attribute: Attribute) -> Floats:
     if attribute.component is not None or array.shape[1] == 1:
         return np.asarray(array[:, attribute.component or 0], dtype=np.float64)
     return magnitudes(array)
+
+
+def vectors(mesh: Mesh) -> dict[str, Attribute]:
+    """List the attributes that have a direction: magnitudes of three components, by id."""
+    return {id: row for id, row in attributes(mesh).items() if row.components == len(AXES)}
+
+
+def own_vectors(mesh: Mesh, attribute: Attribute) -> Array:
+    """Return a vector attribute as the file has it: (C, 3) or (V, 3), in the file's number type."""
+    return np.asarray(_data_of(mesh, attribute)[attribute.array])
 
 
 def magnitudes(array: Array) -> Floats:
@@ -161,11 +174,12 @@ def finite_range(values: Array) -> tuple[float, float] | None:
 
 
 def described(mesh: Mesh) -> list[dict[str, Any]]:
-    """Return the attributes with the ranges of the file's values, for the page: id, name, on, min, max."""
+    """Return the attributes with the ranges of the file's values, for the page: id, name, on, components, min, max."""
     rows = []
     for row in attributes(mesh).values():
         low, high = finite_range(own_values(mesh, row)) or (None, None)
-        rows.append({"id": row.id, "name": row.name, "on": row.on, "min": low, "max": high})
+        told = {"id": row.id, "name": row.name, "on": row.on, "components": row.components}
+        rows.append({**told, "min": low, "max": high})
     return rows
 
 
@@ -186,7 +200,8 @@ def _rows_of(data: dict[str, Array], on: Literal["cell", "point"]) -> Iterator[A
         count = array.shape[1] if array.ndim == 2 else 1
         if not count:
             continue
-        yield Attribute(f"{on}:{name}", f"{name}, magnitude" if count > 1 else name, on, name)
+        title = f"{name}, magnitude" if count > 1 else name
+        yield Attribute(f"{on}:{name}", title, on, name, components=count)
         if 1 < count <= MOST_COMPONENTS:
             labels = AXES if count <= len(AXES) else [str(place) for place in range(count)]
             for place, label in zip(range(count), labels, strict=False):

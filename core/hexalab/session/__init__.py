@@ -204,8 +204,8 @@ class Session:
             A part of the settings that concern the core, which has been checked where it entered; lists are kept, and
             known again by their identity, so that the caller doesn't change them.
         lean : bool
-            Leave out edges, silhouette and what is seen through, as for drafts while something moves; the next
-            update that is not lean brings them.
+            Leave out edges, silhouette, arrows and what is seen through, as for drafts while something moves; the
+            next update that is not lean brings them.
         whole : bool
             Return every record: the last answer got lost on its way, or could not be drawn.
 
@@ -215,13 +215,13 @@ class Session:
             `shown_cells`, `shown_faces`, `max_depth` (None until it is known), `plane_ranges` (extent of the
             barycentres along each plane's normal, in drawing coordinates), `pending` (records that wait for
             `describe`), `timings` (ms), and of the records `surface`, `silhouette`, `see_through`, `irregular`,
-            `colour` those that changed.
+            `arrows`, `colour` those that changed.
 
         Raises
         ------
         HexaLabError
-            If the settings name a quantity that the mesh has not got. After this or any other failure they stay as
-            they were, and the next update returns every record.
+            If the settings name a quantity or a vector attribute that the mesh has not got. After this or any other
+            failure they stay as they were, and the next update returns every record.
         """
         began = perf_counter()
         opened, picture = self._open_mesh(), self._drawn()

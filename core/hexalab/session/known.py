@@ -30,6 +30,8 @@ def checked(partial: Partial, opened: Opened | None) -> tuple[Partial, list[Reje
     out = {name: part for name, part in partial.items() if name != "mesh"}
     if "colour" in out:
         out["colour"] = _colour(dict(out["colour"]), opened, rejections)
+    if "arrows" in out:
+        out["arrows"] = _arrows(dict(out["arrows"]), opened, rejections)
     if "filters" in out:
         out["filters"] = dict(out["filters"])
         for name, check in (("quality", _bands), ("groups", _groups), ("picking", _cells)):
@@ -72,6 +74,16 @@ def _groups(groups: Partial, opened: Opened | None, rejections: list[Rejection])
     return groups
 
 
+def _arrows(arrows: Partial, opened: Opened | None, rejections: list[Rejection]) -> Partial:
+    attribute = arrows.get("attribute")
+    if attribute and opened and attribute not in opened.vectors:
+        rejections.append(
+            _unknown("arrows.attribute", attribute, opened.vectors, "attributes of three components")
+        )
+        del arrows["attribute"]
+    return arrows
+
+
 def _bands(quality: Partial, opened: Opened | None, rejections: list[Rejection]) -> Partial:
     kept = []
     for place, band in enumerate(quality.get("items", ())):
@@ -100,7 +112,9 @@ def _cells(picking: Partial, opened: Opened | None, rejections: list[Rejection])
     return picking
 
 
-def _unknown(path: str, found: str, known: Any) -> Rejection:
-    return Rejection(
-        path, f'"{found}"', f"one of {', '.join(known)}" if known else "nothing: the mesh has none"
-    )
+def _unknown(path: str, found: str, known: Any, what: str = "") -> Rejection:
+    """A name that is not known; `what` says what the known ones are, where their names don't."""
+    names = ", ".join(known)
+    some = f"one of the {what}: {names}" if what else f"one of {names}"
+    none = f"nothing: the mesh has {f'no {what}' if what else 'none'}"
+    return Rejection(path, f'"{found}"', some if names else none)

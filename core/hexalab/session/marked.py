@@ -182,7 +182,9 @@ class MarkBook:
         def joined(parts: list[tuple[Array, Bytes]], rows: int) -> tuple[Any, Bytes]:
             none = np.zeros((rows, 0), dtype=np.int32), np.zeros(0, dtype=np.uint8)
             corners = np.concatenate([none[0], *(some for some, _ in parts)], axis=1)
-            return interleave(self._drawn_mesh.points(corners)), np.concatenate([none[1], *(c for _, c in parts)])
+            return interleave(self._drawn_mesh.points(corners)), np.concatenate(
+                [none[1], *(c for _, c in parts)]
+            )
 
         face_positions, face_colours = joined(faces, 4)
         edge_positions, edge_colours = joined(edges, 2)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import Floats
-from ..attributes import Attribute, attributes, cell_values, finite_range
+from ..attributes import Attribute, attributes, cell_values, finite_range, own_vectors, vectors
 from ..diagnosis import Finding, diagnose
 from ..errors import HexaLabError
 from ..filters.plane import unit
@@ -21,7 +21,15 @@ from ..quality import METRICS, Validity, certify, quality, statistics
 from ..status import OpenMesh
 from ..status.views import three_quarters
 from ..summary import STRUCTURE
-from ..surface import DrawnMesh, Irregular, extract_irregular, long_axis, outline, skin
+from ..surface import (
+    DrawnMesh,
+    Irregular,
+    VectorField,
+    extract_irregular,
+    long_axis,
+    outline,
+    skin,
+)
 from ..topology.shapes import SHAPES, shapes
 from .grouped import GroupBook
 from .mean_volumes import MeanVolumes
@@ -62,6 +70,7 @@ class Opened:
         self._ranges: dict[str, tuple[float, float] | None] = {}
         self._statistics: dict[str, dict[str, Any]] = {}
         self._irregular: dict[tuple[bool, bool], Irregular] = {}
+        self._fields: dict[str, VectorField] = {}
 
     @cached_property
     def groups(self) -> GroupBook:
@@ -77,6 +86,11 @@ class Opened:
     def attributes(self) -> dict[str, Attribute]:
         """The file's attributes by id."""
         return attributes(self.mesh)
+
+    @cached_property
+    def vectors(self) -> dict[str, Attribute]:
+        """The attributes that arrows can be drawn of, by id."""
+        return vectors(self.mesh)
 
     @cached_property
     def drawn_mesh(self) -> DrawnMesh:
@@ -197,6 +211,21 @@ class Opened:
         if quantity not in self.attributes:
             raise UnknownQuantity(f"there is no metric and no attribute {quantity!r}")
         return self.attributes[quantity]
+
+    def field(self, attribute: str) -> VectorField:
+        """Return a vector attribute as it is drawn; the last one is kept.
+
+        Raises
+        ------
+        UnknownQuantity
+            If there is no attribute of that id, or it has not three components.
+        """
+        if attribute not in self.vectors:
+            raise UnknownQuantity(f"there is no attribute {attribute!r} of three components")
+        if attribute not in self._fields:
+            row = self.vectors[attribute]
+            self._fields = {attribute: VectorField(own_vectors(self.mesh, row), row.on)}
+        return self._fields[attribute]
 
     def range_of(self, quantity: str) -> tuple[float, float] | None:
         """Return the smallest and largest finite value over the cells; None if there is none."""

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..quality import METRICS
-from ..surface import LINED, extract_silhouette, extract_surface
+from ..surface import LINED, extract_arrows, extract_silhouette, extract_surface
 from .opened import Opened
 
 Settings = dict[str, Any]
@@ -55,8 +55,8 @@ class Picture:
 
         The settings are those that concern the core (`hexalab.status.CORE_PATHS`), all of them.
 
-        A lean update leaves out what a draft does without, edges, silhouette and what is seen through; the next
-        one that is not brings them.
+        A lean update leaves out what a draft does without, edges, silhouette, arrows and what is seen through; the
+        next one that is not brings them.
         """
         self.timings = {}
         self._filter(settings["filters"])
@@ -71,6 +71,12 @@ class Picture:
         if cells != "none" and not lean:
             seen = (self._version, self._filters if cells != "all" else None, cells)
             self._renew(parts, "see_through", seen, self._extract_see_through, cells)
+        attribute = settings["arrows"]["attribute"]
+        if attribute and not lean:
+            gap = separation["gap"] if separation["mode"] == "fissure" else 0.0
+            self._renew(
+                parts, "arrows", (self._version, attribute, gap), self._extract_arrows, attribute, gap
+            )
         irregular, pending = self._irregular_parts(settings["irregular"])
         if irregular is not None and not pending:
             self._renew(parts, "irregular", irregular, self._extract_irregular, *irregular)
@@ -170,6 +176,10 @@ class Picture:
         if cells != "all":
             hidden &= self.opened.filters.hidden_by(cells, self._filters or {})
         return extract_surface(self.opened.drawn_mesh, hidden, "lines").arrays()
+
+    def _extract_arrows(self, attribute: str, gap: float) -> dict[str, Any]:
+        opened = self.opened
+        return extract_arrows(opened.drawn_mesh, self.shown, opened.field(attribute), gap).arrays()
 
     def _irregular_parts(self, irregular: Settings) -> tuple[tuple[bool, bool] | None, bool]:
         """Which parts the mode draws, None for none; and whether they have to wait for the edges."""

@@ -236,6 +236,24 @@ SCHEMA: Schema = {
                 },
             )
         ),
+        arrows=section(
+            "Vectors of the file as arrows on the surface of the shown cells, a thousand at most.",
+            attribute=core(
+                {
+                    "type": "string",
+                    "default": "",
+                    "description": "cell:NAME or point:NAME, of three components; empty: none",
+                }
+            ),
+            length={
+                "type": "number",
+                "minimum": 0.001,
+                "maximum": 0.5,
+                "default": 0.05,
+                "description": "Of the attribute's longest vector, in diagonals of the mesh's frame",
+            },
+            colour={**COLOUR, "default": "#1d1f23"},
+        ),
         irregular=section(
             "Edges of irregular valence.",
             mode=core(

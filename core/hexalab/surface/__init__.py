@@ -1,28 +1,32 @@
-"""Surfaces: what draws the shown cells, a module for each separation mode; silhouette; irregular edges."""
+"""Surfaces: what draws the shown cells, a module for each separation mode; silhouette; irregular edges; arrows."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
 
+from .arrows import VectorField, extract_arrows
 from .darkness_coded_edges import darkness_coded_edges
 from .drawn_mesh import DrawnMesh
 from .fissure import fissure
 from .frame import Frame, long_axis, outline, skin
 from .irregular import extract_irregular
 from .lines import interface_quads, lines
-from .records import Irregular, Silhouette, Surface
+from .records import Arrows, Irregular, Silhouette, Surface
 from .rounded import rounded
 from .silhouette import extract_silhouette
 
 __all__ = [
     "LINED",
     "MODES",
+    "Arrows",
     "DrawnMesh",
     "Frame",
     "Irregular",
     "Silhouette",
     "Surface",
+    "VectorField",
+    "extract_arrows",
     "extract_irregular",
     "extract_silhouette",
     "extract_surface",

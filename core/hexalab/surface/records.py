@@ -148,3 +148,37 @@ class Marks:
     def arrays(self) -> dict[str, Any]:
         """All fields by name, not copied."""
         return dict(vars(self))
+
+
+@dataclass(frozen=True)
+class Arrows:
+    """Vectors of an attribute on some faces of the shown cells' surface, spread evenly over it.
+
+    Attributes
+    ----------
+    positions : (3 N,) float32
+        Middles of the faces in drawing coordinates.
+    vectors : (3 N,) float32
+        The vectors over the length of the attribute's longest, wherever in the mesh that is.
+    inward : (N,) uint8
+        1 where the vector points into the face's own cell: drawn from the middle on it would be hidden.
+    cells : (N,) uint32
+        Cell that each face belongs to.
+    longest : float or None
+        Length of the longest finite vector in the file's unit; None if none is finite, or the length passes what
+        a number holds.
+    not_finite, zero : int
+        Faces of the whole surface without an arrow, as their vector is not finite, or nothing beside the longest.
+    """
+
+    positions: Floats32
+    vectors: Floats32
+    inward: Bytes
+    cells: UInt32s
+    longest: float | None
+    not_finite: int
+    zero: int
+
+    def arrays(self) -> dict[str, Any]:
+        """All fields by name, not copied."""
+        return dict(vars(self))

@@ -208,7 +208,7 @@ export class HexaLab {
   /**
    * Milliseconds of what was done last: boot, and of it interpreter, numpy, core; preview, from the page's address to a
    * catalogue mesh's first picture; read, topology, summary, first_picture of a mesh; describe, quality; filters,
-   * surface, silhouette, irregular, colour, update in the core, slice with its way there; upload, frame, lighting.
+   * surface, silhouette, irregular, arrows, colour, update in the core, slice with its way there; upload, frame, lighting.
    *
    * @returns {Record<string, number>}
    */

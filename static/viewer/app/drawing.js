@@ -1,5 +1,6 @@
 import { Superseded } from "../core/client.js";
 import { CoreSettings } from "../state/core_settings.js";
+import { toldOf } from "../state/arrows.js";
 import { normalised } from "../state/vectors.js";
 
 /**
@@ -7,7 +8,7 @@ import { normalised } from "../state/vectors.js";
  * @typedef {import("../state/status.js").PartialStatus} PartialStatus
  *
  * @typedef {Partial<Update> & Pick<Update, "shown_cells" | "shown_faces">} Answer  of the core, or a preview
- * @typedef {Pick<Update, "surface" | "silhouette" | "see_through" | "irregular">} Records
+ * @typedef {Pick<Update, "surface" | "silhouette" | "see_through" | "irregular" | "arrows">} Records
  */
 
 /**
@@ -127,13 +128,14 @@ export class Drawing {
   #take(answer, same = false) {
     const scene = this.#scene;
     const began = performance.now();
-    const { surface, silhouette, see_through, irregular } = answer;
-    for (const [kind, record] of Object.entries({ surface, silhouette, see_through, irregular }))
+    const { surface, silhouette, see_through, irregular, arrows } = answer;
+    for (const [kind, record] of Object.entries({ surface, silhouette, see_through, irregular, arrows }))
       if (record) this.#records = { ...this.#records, [kind]: record };
     if (answer.surface) scene.setSurface(answer.surface, same);
     if (answer.silhouette) scene.setSilhouette(answer.silhouette);
     if (answer.see_through) scene.setSeeThrough(answer.see_through);
     if (answer.irregular) scene.setIrregular(answer.irregular);
+    if (answer.arrows) scene.setArrows(answer.arrows);
     if (answer.colour !== undefined)
       scene.setCellColours(answer.colour?.map_position ?? null, answer.colour?.high_first ?? false);
     const upload = performance.now() - began;
@@ -141,6 +143,7 @@ export class Drawing {
       shown: { cells: answer.shown_cells, faces: answer.shown_faces },
       ...(answer.colour !== undefined ? { colour: answer.colour } : {}),
       ...(answer.irregular ? { irregular: answer.irregular.counts } : {}),
+      ...(answer.arrows ? { arrows: toldOf(answer.arrows) } : {}),
       ...(answer.max_depth !== undefined && answer.max_depth !== null
         ? { layers: answer.max_depth + 1 }
         : {}),

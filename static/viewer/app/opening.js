@@ -192,7 +192,12 @@ export class Opening {
       keeping: before ? facts.get("keeping") : "changed",
       renewed: origin.renewed === true,
       alike: before?.cells === summary.cells,
-      has: (quantity) => Boolean(summary.attributes?.some((one) => one.id === quantity)),
+      has: (quantity, components = 0) =>
+        Boolean(
+          summary.attributes?.some(
+            (one) => one.id === quantity && (!components || one.components === components),
+          ),
+        ),
     });
     drawing.pause();
     store.set(settings, { undo: false });

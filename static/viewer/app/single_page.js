@@ -80,13 +80,23 @@ export class SinglePage {
   #scene() {
     const { store, facts, drawing, leaving } = this.#app;
     const { status } = store;
-    const { camera, colour, separation, silhouette, see_through, irregular, background } = status;
+    const { camera, colour, separation, silhouette, see_through, arrows, irregular, background } = status;
     const { centre, diagonal, frame, cells, outline } =
       /** @type {import("../state/facts.js").MeshSummary} */ (facts.get("summary"));
     const mode = leaving.lit ? /** @type {const} */ ("object_space_ao") : status.lighting.mode;
     const lighting = { ...status.lighting, mode };
     return {
-      status: { camera, colour, separation, silhouette, see_through, irregular, lighting, background },
+      status: {
+        camera,
+        colour,
+        separation,
+        silhouette,
+        see_through,
+        arrows,
+        irregular,
+        lighting,
+        background,
+      },
       mesh: { centre, diagonal, frame, cells, outline },
       irregular: irregular.mode > 0 ? compactIrregular(drawing.records.irregular, irregular.boundary) : null,
     };
@@ -100,7 +110,7 @@ export class SinglePage {
     return posed(this.#app, poses, async (k) => {
       await scene.settled();
       const light = leaving.lit ? await scene.lighting.baked() : new Float32Array(0);
-      const { surface, silhouette, see_through } = drawing.records;
+      const { surface, silhouette, see_through, arrows } = drawing.records;
       if (!surface) throw new Error("there is no picture to save");
       return {
         slice: slices[k] ?? null,
@@ -109,6 +119,7 @@ export class SinglePage {
         openness: Uint8Array.from(light, (part) => Math.round(255 * part)),
         silhouette: status.silhouette > 0 && silhouette ? compact(plainQuads(silhouette)) : null,
         see_through: status.see_through.cells !== "none" && see_through ? compact(see_through) : null,
+        arrows: status.arrows.attribute !== "" && arrows ? { ...arrows, cells: new Uint32Array(0) } : null,
       };
     });
   }

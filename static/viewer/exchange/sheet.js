@@ -17,6 +17,7 @@
  * @property {Uint8Array} openness of its vertices to light, 0 to 255; none where light is not kept
  * @property {import("./compact_surface.js").Compact | null} silhouette
  * @property {import("./compact_surface.js").Compact | null} see_through
+ * @property {import("../geometry/records.js").Arrows | null} arrows
  *
  * @typedef {object} Colouring
  * @property {string} id of the quantity; empty for sides and categories

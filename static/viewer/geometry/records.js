@@ -31,6 +31,15 @@
  * @property {Uint8Array} paper_boundary interior ones stand first in every list
  * @property {Record<string, Record<string, number>>} counts of edges by "interior" and "boundary", and by valence
  *
+ * @typedef {object} Arrows
+ * @property {Float32Array} positions of the middles of faces, 3 each
+ * @property {Float32Array} vectors 3 each, over the length of the attribute's longest
+ * @property {Uint8Array} inward 1 where the vector points into the face's cell
+ * @property {Uint32Array} cells that the faces belong to
+ * @property {number | null} longest length of the longest vector in the file's unit
+ * @property {number} not_finite faces without an arrow, as their vector is not finite
+ * @property {number} zero faces without an arrow, as their vector is nothing beside the longest
+ *
  * @typedef {"lines" | "darkness_coded_edges" | "fissure" | "rounded"} SeparationMode
  *
  * @typedef {object} MeshFrame where a mesh stood before it was moved and scaled, and how large it is

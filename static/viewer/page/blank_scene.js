@@ -24,6 +24,7 @@ export class BlankScene {
   setSilhouette() {}
   setSeeThrough() {}
   setIrregular() {}
+  setArrows() {}
   setCellColours() {}
   setStatus() {}
   resize() {}

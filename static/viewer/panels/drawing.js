@@ -4,6 +4,7 @@ import { count, typed } from "../state/numbers.js";
 import { watch } from "../widgets/bind.js";
 import { wholeNumber } from "../widgets/controls.js";
 import { h } from "../widgets/dom.js";
+import { arrows } from "./arrows.js";
 import { swatch } from "../widgets/swatch.js";
 import { KIND_NAMES, KINDS } from "../state/kinds.js";
 
@@ -140,6 +141,7 @@ export const drawing = {
         },
       ],
     },
+    ...arrows,
   ],
 };
 

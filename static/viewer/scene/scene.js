@@ -6,11 +6,11 @@ import { cornersOf } from "../geometry/box.js";
 import { standing } from "../geometry/outline.js";
 import { frameOf } from "./frame_of.js";
 import { Layers } from "./layers/layers.js";
+import { Mark } from "./camera/mark.js";
 import { Painter } from "./frame/painter.js";
 import { Pictures } from "./frame/pictures.js";
 import { Programs } from "./frame/programs.js";
 import { isSoftware } from "./frame/software.js";
-import { rightmostOf } from "./camera/rightmost.js";
 import { planeExtent } from "./layers/plane_extent.js";
 import { Pointing } from "./picking/pointing.js";
 import { Trackball } from "./camera/trackball.js";
@@ -58,10 +58,7 @@ export class Scene {
   #mesh = { cells: 0 };
   /** @type {(() => void)[]} */
   #waiting = [];
-  /** Ends of the marked cell's edges. @type {Float32Array | null} */
-  #marked = null;
-  /** Where it was told to stand. @type {import("./scene_like.js").Place | null} */
-  #markedAt = null;
+  #marked = new Mark((at) => this.#events.emit("marked", at));
 
   /**
    * @param {HTMLCanvasElement} canvas
@@ -155,6 +152,7 @@ export class Scene {
     this.setSilhouette(null);
     this.setSeeThrough(null);
     this.setIrregular(null);
+    this.setArrows(null);
     this.setCellColours(null);
     this.mark(null);
     this.#rig.covered = 0;
@@ -202,6 +200,13 @@ export class Scene {
     this.#loop.invalidate();
   }
 
+  /** @param {import("../geometry/records.js").Arrows | null} arrows */
+  setArrows(arrows) {
+    this.#layers.arrows.set(arrows);
+    this.#enclose();
+    this.#loop.invalidate();
+  }
+
   /** @param {Float32Array | null} positions in the colour map, one per cell @param {boolean} [highFirst] whether its first colour is that of high values */
   setCellColours(positions, highFirst = false) {
     this.#layers.setCellColours(positions, highFirst);
@@ -217,6 +222,7 @@ export class Scene {
     if (status.camera && this.#rig.set(status.camera)) this.#touch();
     if (!this.#layers.look(status)) return;
     if (status.lighting?.mode) this.#lighting.mode = status.lighting.mode;
+    if (status.arrows) this.#enclose(); // their length may have changed
     this.#loop.invalidate();
   }
 
@@ -244,7 +250,7 @@ export class Scene {
    */
   mark(edges) {
     this.#layers.outline.set(edges);
-    this.#marked = edges;
+    this.#marked.edges = edges;
     this.#enclose();
     this.#loop.invalidate();
   }
@@ -357,20 +363,12 @@ export class Scene {
     this.#pictures.show(draft, this.#drafts.held, !this.#ready);
     this.timings.frame = performance.now() - started;
     this.#drafts.end();
-    this.#tellMark();
+    this.#marked.look(this.#rig.camera, this.#view.size);
     // The first picture goes to the screen before the GPU gets more to do.
     if (!this.#ready && this.#mesh.cells) requestAnimationFrame(() => setTimeout(() => void this.prepare()));
     if (draft || !this.#lighting.settled) return;
     this.timings.lighting = this.#lighting.elapsed;
     for (const resolve of this.#waiting.splice(0)) resolve();
-  }
-
-  /** Tells the rightmost place of the marked cell on the canvas; null where it is behind the eye, or none is marked. */
-  #tellMark() {
-    const at = rightmostOf(this.#marked ?? [], this.#rig.camera, this.#view.size);
-    if (at?.x === this.#markedAt?.x && at?.y === this.#markedAt?.y) return;
-    this.#markedAt = at;
-    this.#events.emit("marked", at);
   }
 
   /** @param {Event} event */

@@ -46,6 +46,7 @@
  * @property {(silhouette: import("../geometry/records.js").Silhouette | null) => void} setSilhouette
  * @property {(surface: import("../geometry/records.js").Surface | null) => void} setSeeThrough of hidden cells
  * @property {(irregular: import("../geometry/records.js").Irregular | null) => void} setIrregular
+ * @property {(arrows: import("../geometry/records.js").Arrows | null) => void} setArrows
  * @property {(positions: Float32Array | null, highFirst?: boolean) => void} setCellColours in the colour map, one per cell; whether its first
  *   colour is that of high values
  * @property {(status: import("./types.js").SceneStatus) => void} setStatus

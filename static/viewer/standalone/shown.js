@@ -41,6 +41,7 @@ export class Shown {
     this.#scene.setSurface(surface);
     this.#scene.setSilhouette(shot.silhouette && expanded(shot.silhouette));
     this.#scene.setSeeThrough(shot.see_through && expanded(shot.see_through));
+    this.#scene.setArrows(shot.arrows);
   }
 
   /** @param {number} place in the list of colours */

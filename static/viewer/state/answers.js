@@ -31,6 +31,7 @@
  * @property {string} id
  * @property {string} name
  * @property {"cell" | "point"} on
+ * @property {number} components of which it is the magnitude: 3 for a vector; 1 for a number
  * @property {number | null} min
  * @property {number | null} max
  *
@@ -78,11 +79,13 @@
  * @property {Silhouette} [silhouette]
  * @property {Surface} [see_through] of hidden cells
  * @property {Irregular} [irregular]
+ * @property {Arrows} [arrows]
  * @property {Colour | null} [colour] null for sides
  *
  * @typedef {import("../geometry/records.js").Surface} Surface
  * @typedef {import("../geometry/records.js").Silhouette} Silhouette
  * @typedef {import("../geometry/records.js").Irregular} Irregular
+ * @typedef {import("../geometry/records.js").Arrows} Arrows
  * @typedef {Irregular["counts"]} IrregularCounts  number of irregular edges, interior and boundary, by valence
  *
  * @typedef {object} Colour
@@ -107,6 +110,7 @@
  * @property {Silhouette} [silhouette]
  * @property {Surface} [see_through] of hidden cells
  * @property {Irregular} [irregular]
+ * @property {Arrows} [arrows]
  * @property {Colour | null} colour
  *
  * @typedef {object} BriefSummary

@@ -39,6 +39,7 @@
  * @property {import("./answers.js").Histogram & { asked: string } | null} histogram with what it was asked for under
  * @property {import("./answers.js").Worst & { quantity: string } | null} worst cells by what is looked at
  * @property {import("./answers.js").IrregularCounts | null} irregular
+ * @property {import("./arrows.js").Told | null} arrows that are drawn
  * @property {{ cells: number, faces: number } | null} shown
  * @property {import("./answers.js").Colour | null} colour
  * @property {number | null} layers of cells from the boundary inwards
@@ -59,7 +60,7 @@
 
 /** What is known of a mesh before anything is, and the tool at hand: another mesh starts with these. */
 export const NEW_MESH = Object.freeze(
-  /** @type {Pick<FactTable, "tool" | "source" | "entry" | "address" | "offered" | "summary" | "description" | "statistics" | "histogram" | "worst" | "irregular" | "shown" | "colour" | "layers" | "cell" | "flown" | "hover" | "plane" | "planeRanges">} */ ({
+  /** @type {Pick<FactTable, "tool" | "source" | "entry" | "address" | "offered" | "summary" | "description" | "statistics" | "histogram" | "worst" | "irregular" | "arrows" | "shown" | "colour" | "layers" | "cell" | "flown" | "hover" | "plane" | "planeRanges">} */ ({
     tool: "turn",
     source: null,
     entry: null,
@@ -71,6 +72,7 @@ export const NEW_MESH = Object.freeze(
     histogram: null,
     worst: null,
     irregular: null,
+    arrows: null,
     shown: null,
     colour: null,
     layers: null,

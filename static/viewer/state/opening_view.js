@@ -15,7 +15,8 @@ import { merge } from "./paths.js";
  * @property {Keeping} keeping
  * @property {boolean} alike whether the meshes have as many cells, so that picked ones may mean the same
  * @property {boolean} renewed whether it is the same mesh, written anew: then all stays that can
- * @property {(quantity: string) => boolean} has whether the mesh that is opened has this attribute
+ * @property {(quantity: string, components?: number) => boolean} has whether the mesh that is opened has this attribute, of so many
+ *   components
  */
 
 /** Sections that are where one looks, and what one sees of the mesh: they are kept together. */
@@ -54,7 +55,7 @@ export function openingSettings(own, { status, touched, keeping, alike, renewed,
       }),
     )
   );
-  const { colour, filters } = settings;
+  const { colour, filters, arrows } = settings;
   const known = colour.by !== "attribute" || has(colour.attribute);
   const { picking, parts, quality } = filters;
   return {
@@ -65,6 +66,7 @@ export function openingSettings(own, { status, touched, keeping, alike, renewed,
         range: renewed && known ? colour.range : null,
         ...(known ? {} : { by: "sides", attribute: "" }),
       },
+      arrows: arrows.attribute === "" || has(arrows.attribute, 3) ? arrows : { ...arrows, attribute: "" },
       filters: {
         ...filters,
         picking: alike ? picking : own.filters.picking,

@@ -92,6 +92,11 @@
  *     readonly cells: "none" | "all" | "cut" | "quality" | "parts" | "groups" | "picking",
  *     readonly opacity: number,
  *   },
+ *   readonly arrows: {
+ *     readonly attribute: string,
+ *     readonly length: number,
+ *     readonly colour: string,
+ *   },
  *   readonly irregular: {
  *     readonly mode: number,
  *     readonly boundary: boolean,

@@ -57,6 +57,22 @@ def test_A7_the_page_shows_what_the_viewer_shows(
     viewer: Page, chromium: Browser, tmp_path: Path, look: str
 ) -> None:
     put(viewer, OPEN, LOOKS[look])
+    compare(viewer, chromium, tmp_path)
+
+
+def test_A7_the_page_has_the_arrows_of_each_slice(viewer: Page, chromium: Browser, tmp_path: Path) -> None:
+    viewer.evaluate("() => window.hexalab.openOffered('1')")
+    try:
+        put(viewer, OPEN)
+        bare = compare(viewer, chromium, tmp_path)
+        put(viewer, {"arrows": {"attribute": "cell:flow", "length": 0.2, "colour": "#c00000"}})
+        assert (np.abs(compare(viewer, chromium, tmp_path) - bare).max(axis=2) > 60).sum() > 1000
+    finally:
+        viewer.evaluate("() => window.hexalab.openOffered('0')")
+
+
+def compare(viewer: Page, chromium: Browser, tmp_path: Path) -> np.ndarray:
+    """Hold the page of one file against the viewer's own picture; returns its pixels."""
     path = tmp_path / "page.html"
     path.write_bytes(take(viewer, "page"))
     page = opened(chromium, path)
@@ -65,13 +81,15 @@ def test_A7_the_page_shows_what_the_viewer_shows(
     assert box
     size = {name: int(box[name]) for name in ("width", "height")}
     expected = Image.open(io.BytesIO(take(viewer, "screenshot", size))).convert("RGB")
-    error = np.abs(pixels(page) - np.asarray(expected).astype(int)).max(axis=2)
+    shown = pixels(page)
+    error = np.abs(shown - np.asarray(expected).astype(int)).max(axis=2)
     error[-80:, -80:] = 0  # the axes in the corner
     # What is smoothed differs by the way it is smoothed: four samples to a pixel there, sixteen here.
     assert (error > 60).mean() < 0.01, f"{(error > 60).mean():.4f} of the pixels differ"
     assert error.mean() < 2
     assert page.told == []  # type: ignore[attr-defined]
     page.context.close()
+    return shown
 
 
 def test_A7_colours_and_slices_can_be_chosen_and_a_cell_is_told(

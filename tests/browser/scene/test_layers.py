@@ -251,3 +251,97 @@ def test_S5_a_size_out_of_bounds_is_refused(stage: Any) -> None:
     show(stage, np.ones((1, 1, 1), bool))
     refusal = stage.run("scene.screenshot({ width: 9000, height: 10 }).catch((e) => e.message)")
     assert "8192" in refusal and "9000" in refusal
+
+
+def arrows(*rows: tuple[Any, Any, int]) -> dict[str, Any]:
+    """Return a record of arrows, each by its place, its vector and whether it points inward."""
+    places, vectors, inward = zip(*rows, strict=True)
+    return {
+        "positions": np.array(places, np.float32).ravel(),
+        "vectors": np.array(vectors, np.float32).ravel(),
+        "inward": np.array(inward, np.uint8),
+        "cells": np.zeros(len(rows), np.uint32),
+        "longest": 1.0,
+        "not_finite": 0,
+        "zero": 0,
+    }
+
+
+RED = {"attribute": "point:flow", "length": 0.3, "colour": "#e00000"}
+ORTHOGRAPHIC = {**FRONT, "projection": "orthographic"}
+
+
+def is_red(picture: np.ndarray) -> np.ndarray:
+    """Return which pixels have some of the arrows' ink, (h, w); none of the axes in the corner."""
+    colour = picture[..., :3].astype(int)
+    found = colour[..., 0] - colour[..., 1:].max(axis=2) > 40
+    found[-80:, -80:] = False
+    return np.asarray(found)
+
+
+def test_R8_an_arrow_starts_at_its_face_or_arrives_there(stage: Any) -> None:
+    show(stage, np.ones((1, 1, 1), bool), camera=ORTHOGRAPHIC, silhouette=0)
+    front = 0.5 / np.sqrt(3)
+    size = scale(300)
+    for inward, begins in ((0, 0.0), (1, -0.15)):
+        stage.call("setArrows", arrows(((0, 0.05, front), (0.5, 0, 0), inward)))
+        stage.call("setStatus", {"arrows": RED})
+        stage.settle()
+        rows, columns = np.nonzero(is_red(stage.picture()))
+        assert abs(columns.min() - (200 + begins * size)) < 2.5
+        assert abs(columns.max() - (200 + (begins + 0.15) * size)) < 3.5
+        assert abs(rows.mean() - (150 - 0.05 * size)) < 1
+        heights = [int((columns == column).sum()) for column in range(columns.min(), columns.max() + 1)]
+        assert np.argmax(heights) > 0.5 * len(heights), "the head is at the end"
+        assert heights[-1] <= 2 and max(heights) >= 3 * heights[3]
+
+
+def test_R8_arrows_are_as_long_as_the_setting_says_and_never_thinner_than_a_pixel(stage: Any) -> None:
+    show(stage, np.ones((1, 1, 1), bool), camera=ORTHOGRAPHIC, silhouette=0)
+    stage.call("setArrows", arrows(((-0.1, 0, 0.4), (1, 0, 0), 0), ((-0.1, -0.15, 0.4), (0.25, 0, 0), 0)))
+    long = []
+    for length in (0.05, 0.1, 0.3):
+        stage.call("setStatus", {"arrows": {**RED, "length": length}})
+        stage.settle()
+        ink = is_red(stage.picture())
+        long.append((np.ptp(np.nonzero(ink[:170])[1]), np.ptp(np.nonzero(ink[170:])[1])))
+        assert ink[:170].any(axis=0).sum() == long[-1][0] + 1, "the shaft has no gaps"
+    size = scale(300)
+    assert np.allclose(long, [[n * size, n * size / 4] for n in (0.05, 0.1, 0.3)], atol=3)
+    stage.call("setStatus", {"arrows": {"attribute": ""}})
+    stage.settle()
+    assert not is_red(stage.picture()).any()
+    stage.call("setStatus", {"arrows": {"attribute": "point:flow"}})
+    stage.call("setMesh", {"cells": 1})
+    stage.settle()
+    assert not is_red(stage.picture()).any(), "they belonged to the mesh before"
+
+
+def test_R8_the_model_hides_arrows_behind_it_and_they_hide_its_lines(stage: Any) -> None:
+    show(stage, np.ones((2, 2, 2), bool), camera=ORTHOGRAPHIC, silhouette=0, separation={"line_opacity": 1})
+    half = 0.5 / np.sqrt(3)
+    stage.call("setStatus", {"arrows": RED})
+    stage.call("setArrows", arrows(((-0.15, 0, -half), (1, 0, 0), 0)))
+    stage.settle()
+    assert not is_red(stage.picture()).any()
+    stage.call("setArrows", arrows(((-0.15, 0, half), (1, 0, 0), 0)))
+    stage.settle()
+    ink = is_red(stage.picture())
+    assert ink[150, 200] or ink[149, 200], "over the edges that cross there"
+    stage.call("setArrows", arrows(((0, half, 0), (0, 1, 0), 0)))
+    stage.settle()
+    assert is_red(stage.picture())[20:60].any(), "what stands out of the mesh is before the far plane"
+
+
+def test_S5_pictures_have_arrows_and_transparent_ones_no_fringe(stage: Any) -> None:
+    show(stage, np.ones((1, 1, 1), bool), camera=ORTHOGRAPHIC, silhouette=0, background="#00ff00")
+    half = 0.5 / np.sqrt(3)
+    stage.call("setArrows", arrows(((half, 0, 0), (1, 0, 0), 0), ((0, 0, half), (0, 1, 0), 0)))
+    stage.call("setStatus", {"arrows": RED})
+    clear = screenshot(stage, width=300, height=300, transparent=True)
+    solid = screenshot(stage, width=300, height=300)
+    assert is_red(solid)[150, 150 + int(0.35 * scale(300)) :].any()
+    cover = clear[..., 3:] / 255
+    over = clear[..., :3] * cover + np.array([0, 255, 0]) * (1 - cover)
+    assert np.abs(over - solid[..., :3]).max() <= 3
+    assert (cover[is_red(solid)] > 0.2).all()

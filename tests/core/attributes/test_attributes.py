@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from hexalab.attributes import attributes, cell_values, described, finite_range
+from hexalab.attributes import attributes, cell_values, described, finite_range, own_vectors, vectors
 from hexalab.cells import COLLAPSE, CORNERS_OF_KIND, KINDS
 from hexalab.errors import HexaLabError
 from hexalab.mesh import Mesh
@@ -77,10 +77,20 @@ def test_R8_a_cells_attribute_is_itself() -> None:
 
 def test_R8_ranges_are_of_the_finite_values() -> None:
     rows = {row["id"]: row for row in described(every_kind())}
-    assert rows["cell:flat"] == {"id": "cell:flat", "name": "flat", "on": "cell", "min": -1.0, "max": 2.0}
+    flat = {"id": "cell:flat", "name": "flat", "on": "cell", "components": 1, "min": -1.0, "max": 2.0}
+    assert rows["cell:flat"] == flat
     assert rows["cell:id"]["min"] == 1
     assert finite_range(np.array([np.nan, np.inf])) is None
     assert finite_range(np.array([])) is None
+
+
+def test_R8_vectors_are_told_from_numbers_and_from_other_rows() -> None:
+    mesh = every_kind()
+    mesh.cell_data["in plane"] = np.zeros((4, 2))
+    told = {row["id"]: row["components"] for row in described(mesh)}
+    assert {id for id, count in told.items() if count == 3} == {"point:v"} == set(vectors(mesh))
+    assert (told["point:v:1"], told["cell:flat"], told["cell:in plane"], told["cell:many"]) == (1, 1, 2, 12)
+    assert own_vectors(mesh, vectors(mesh)["point:v"]) is mesh.point_data["v"]
 
 
 def test_R8_an_unknown_attribute_is_told_with_those_that_are_there() -> None:

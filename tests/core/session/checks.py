@@ -9,7 +9,7 @@ import numpy as np
 from hexalab.status import DEFAULTS, core_part, merge
 
 ALL = core_part(DEFAULTS)
-RECORDS = {"surface", "silhouette", "see_through", "irregular", "colour"}
+RECORDS = {"surface", "silhouette", "see_through", "irregular", "arrows", "colour"}
 
 
 def plain(value: Any) -> bool:

@@ -69,6 +69,34 @@ def test_V3_hidden_cells_that_are_seen_through_are_those_that_were_chosen(block:
     assert set(block.update({"see_through": {"cells": "none"}})) & RECORDS == set()
 
 
+def test_R8_arrows_follow_the_shown_cells_the_attribute_and_the_gap(session: Session) -> None:
+    assert "arrows" not in session.update()
+    first = session.update({"arrows": {"attribute": "point:flow"}})
+    assert plain(first)
+    assert set(first) & RECORDS == {"arrows"}
+    assert sorted(first["arrows"]["cells"].tolist()) == sorted(
+        (session.update(whole=True)["surface"]["faces"] // 8).tolist()
+    )
+    assert first["arrows"]["longest"] == pytest.approx(14**0.5)
+    assert set(session.update({"arrows": {"length": 0.2, "colour": "#ff0000"}})) & RECORDS == set()
+    assert set(session.update({"colour": {"by": "quality"}})) & RECORDS == {"colour"}
+    cut = {"filters": {"picking": {"hidden": [2, 5]}}}
+    lean = session.update(cut, lean=True)
+    assert "surface" in lean and "arrows" not in lean
+    after = session.update()
+    assert set(after["arrows"]["cells"].tolist()) == {0, 1, 3, 4}
+    assert after["arrows"]["longest"] == first["arrows"]["longest"], "a slice does not change the scale"
+    assert set(session.update({"arrows": {"attribute": ""}})) & RECORDS == set()
+    assert set(session.update({"arrows": {"attribute": "point:flow"}})) & RECORDS == set()
+    moved = session.update({"separation": {"mode": "fissure", "gap": 0.2}})["arrows"]
+    assert np.array_equal(moved["cells"], after["arrows"]["cells"])
+    assert not np.allclose(moved["positions"], after["arrows"]["positions"])
+    assert "arrows" in session.update({"separation": {"gap": 0.1}})
+    assert "arrows" not in session.update({"separation": {"radius": 0.1}})
+    back = session.update({"separation": {"mode": "rounded"}})["arrows"]
+    assert np.array_equal(back["positions"], after["arrows"]["positions"])
+
+
 def test_V4_irregular_structure_comes_after_the_description(block: Session) -> None:
     block.update(ALL)
     block.describe()

@@ -35,7 +35,9 @@ def test_A1_summary_of_an_opened_mesh(attributed: bytes) -> None:
     assert summary["diagonal"] == pytest.approx(14**0.5)
     assert "max_depth" not in summary
     rows = {row["id"]: row for row in summary["attributes"]}
-    assert rows["cell:load"] == {"id": "cell:load", "name": "load", "on": "cell", "min": 0, "max": 5}
+    assert rows["cell:load"] == {
+        "id": "cell:load", "name": "load", "on": "cell", "components": 1, "min": 0, "max": 5,
+    }  # fmt: skip
     assert (rows["point:flow:1"]["min"], rows["point:flow:1"]["max"]) == (0, 2)
     outline = summary.pop("outline")
     assert (outline.dtype, len(outline) % 3) == ("float32", 0)

@@ -46,7 +46,7 @@ def test_A1_settings_told_one_by_one_draw_what_they_draw_together(
     afresh = Session()
     afresh.open("block.mesh", grid(4, 4, 4))
     whole = afresh.update(together)
-    for record in RECORDS - {"irregular", "see_through"}:
+    for record in RECORDS - {"irregular", "see_through", "arrows"}:
         for name, value in whole[record].items():
             assert np.array_equal(kept[record][name], value), (record, name)
 
@@ -55,9 +55,9 @@ def test_A1_what_concerns_the_core_stands_in_the_schema_and_nothing_else_is_kept
     assert set(CORE_PATHS) == {
         "filters", "separation.mode", "separation.gap", "separation.radius", "colour.by", "colour.metric",
         "colour.attribute", "colour.range", "silhouette", "see_through.cells",
-        "irregular.mode",
+        "arrows.attribute", "irregular.mode",
     }  # fmt: skip
-    assert set(ALL) == {"filters", "separation", "colour", "silhouette", "see_through", "irregular"}
+    assert set(ALL) == {"filters", "separation", "colour", "silhouette", "see_through", "arrows", "irregular"}
     assert set(ALL["colour"]) == {"by", "metric", "attribute", "range"}
 
 
@@ -105,6 +105,28 @@ def test_S1_an_attribute_of_another_mesh_is_told(session: Session, grid: Callabl
     assert [rejection["path"] for rejection in checked["rejections"]] == ["colour.attribute"]
     assert checked["rejections"][0]["expected"] == "nothing: the mesh has none"
     assert checked["partial"]["colour"] == {}
+
+
+def test_S1_arrows_are_of_attributes_of_three_components(
+    session: Session, grid: Callable[..., bytes]
+) -> None:
+    told = {}
+    for attribute in ("point:flow", "", "point:flow:0", "cell:load", "cell:none"):
+        checked = session.check({"arrows": {"attribute": attribute, "length": 0.1}})
+        told[attribute] = [(one["path"], one["found"], one["expected"]) for one in checked["rejections"]]
+        kept = {} if told[attribute] else {"attribute": attribute}
+        assert checked["partial"]["arrows"] == {**kept, "length": 0.1}
+    assert told["point:flow"] == told[""] == []
+    for attribute in ("point:flow:0", "cell:load", "cell:none"):
+        expected = "one of the attributes of three components: point:flow"
+        assert told[attribute] == [("arrows.attribute", f'"{attribute}"', expected)]
+    with pytest.raises(HexaLabError, match="no attribute 'cell:load' of three components"):
+        session.update({"arrows": {"attribute": "cell:load"}})
+    session.open("other.mesh", grid(1, 1, 1))
+    (rejection,) = session.check({"arrows": {"attribute": "point:flow"}})["rejections"]
+    assert rejection["expected"] == "nothing: the mesh has no attributes of three components"
+    closed = Session().check({"arrows": {"attribute": "point:flow"}})
+    assert (closed["rejections"], closed["partial"]) == ([], {"arrows": {"attribute": "point:flow"}})
 
 
 def test_S1_settings_that_name_what_is_not_there_are_refused_and_change_nothing(session: Session) -> None:

@@ -67,6 +67,7 @@ def answers(attributed: bytes, infinite: bytes) -> Iterator[tuple[str, Any]]:
             "update", {"filters": cut, "separation": {"mode": "rounded"}, "see_through": {"cells": "cut"}}
         ),
     )
+    yield "update", core.ask("update", {"arrows": {"attribute": "point:flow"}})
     for by in ("attribute", "kind", "sides"):
         yield "update", core.ask("update", {"colour": {"by": by, "attribute": "cell:load"}})
     yield "check", core.ask("check", {"filters": {"peel": {"depth": -1}}})
@@ -130,7 +131,11 @@ def test_A1_the_typedefs_of_answers_are_what_a_session_answers(attributed: bytes
     preview = Session()
     preview.open("grid.vtk", attributed)
     assert shapes.wrong(unpack(preview.preview()), "Preview") == []
-    for other in ({"silhouette": 0, "irregular": {"mode": 0}}, {"see_through": {"cells": "all"}}):
+    arrows = {"attribute": "point:flow"}
+    for other in (
+        {"silhouette": 0, "irregular": {"mode": 0}},
+        {"see_through": {"cells": "all"}, "arrows": arrows},
+    ):
         assert shapes.wrong(unpack(preview.preview(other)), "Preview") == []
     assert asked == set(METHODS)
     never = {

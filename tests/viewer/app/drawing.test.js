@@ -38,6 +38,7 @@ function parts() {
     setSilhouette: note("silhouette"),
     setSeeThrough: note("see_through"),
     setIrregular: note("irregular"),
+    setArrows: note("arrows"),
     setCellColours: note("colours"),
     showPlane: note("plane"),
   };
@@ -98,6 +99,17 @@ test("only the buffers that the core sends are handed on", async () => {
   assert.deepEqual(drawn.slice(1), [["surface", "S"], ["colours", "M"]]); // prettier-ignore
   assert.deepEqual(facts.get("shown"), { cells: 5, faces: 9 });
   assert.equal(facts.get("layers"), 4, "the right end of the peel slider hides everything");
+});
+
+test("R8: arrows go to the scene, and what is known of them to the panels", async () => {
+  const { store, calls, drawn, drawing, facts } = parts();
+  store.set({ filters: { planes: { items: [1] } } });
+  const arrows = { inward: new Uint8Array(7), longest: 2.5, not_finite: 1, zero: 3 };
+  calls[0].answer({ shown_cells: 5, shown_faces: 9, arrows });
+  await new Promise((resolve) => setTimeout(resolve));
+  assert.deepEqual(drawn.slice(1), [["arrows", arrows]]); // prettier-ignore
+  assert.equal(drawing.records.arrows, arrows);
+  assert.deepEqual(facts.get("arrows"), { drawn: 7, longest: 2.5, not_finite: 1, zero: 3 });
 });
 
 test("V9: a superseded call says nothing, a failed one is a message, and the next good one takes it back", async () => {

@@ -16,6 +16,7 @@ const defaults = /** @type {import("../../../static/viewer/state/status.js").Sta
     },
     separation: { mode: "lines" },
     colour: { by: "sides", attribute: "", metric: "scaled_jacobian", range: null },
+    arrows: { attribute: "", length: 0.05, colour: "#1d1f23" },
   })
 );
 const view = /** @type {import("../../../static/viewer/state/opening_view.js").View} */ ({
@@ -105,6 +106,26 @@ test("S1: an attribute that the next mesh lacks colours nothing", () => {
     openingSettings(own, { ...untouched, status, touched, has: () => true }).settings.colour?.by,
     "attribute",
   );
+});
+
+test("S1: arrows stay where the next mesh has vectors of that name, and only the choice goes where it has not", () => {
+  const status = { ...defaults, arrows: { ...defaults.arrows, attribute: "point:flow", length: 0.2 } };
+  const touched = new Set(["arrows"]);
+  /** @param {Record<string, number>} attributes numbers of components */
+  const opened = (attributes) =>
+    openingSettings(own, {
+      ...untouched,
+      status,
+      touched,
+      has: (id, components = 0) => id in attributes && (!components || attributes[id] === components),
+    }).settings.arrows;
+  assert.deepEqual(opened({ "point:flow": 3 }), status.arrows);
+  /** @type {Record<string, number>[]} */
+  const without = [{}, { "point:flow": 1 }, { "cell:flow": 3 }];
+  for (const others of without)
+    assert.deepEqual(opened(others), { ...status.arrows, attribute: "" }, JSON.stringify(others));
+  const kept = openingSettings(own, { ...untouched, status, has: () => true }).settings.arrows;
+  assert.equal(kept?.attribute, "", "nobody chose them for this mesh");
 });
 
 test("A5: a mesh that was written anew keeps all that it can", () => {

@@ -1,3 +1,4 @@
+import { ArrowsLayer } from "./arrows_layer.js";
 import { around } from "../../geometry/box.js";
 import { CATEGORIES } from "../../colours/palettes.js";
 import { CellColours } from "./cell_colours.js";
@@ -29,6 +30,7 @@ const LOOKS = /** @type {const} */ ([
   "separation",
   "silhouette",
   "see_through",
+  "arrows",
   "irregular",
   "lighting",
   "background",
@@ -43,6 +45,7 @@ export class Layers {
   edges = new LinesLayer(EDGE_STYLES, { fade: true, toned: this.surface.uniforms });
   silhouette = new SilhouetteLayer();
   irregular = new IrregularLayer();
+  arrows = new ArrowsLayer();
   plane = new PlaneLayer();
   highlight = new HighlightLayer();
   outline = new OutlineLayer();
@@ -61,7 +64,7 @@ export class Layers {
     this.#painter = painter;
     painter.backdrop.add(this.silhouette.group);
     painter.model.add(this.surface.mesh);
-    painter.ink.add(this.edges.group, this.irregular.group);
+    painter.ink.add(this.arrows.group, this.edges.group, this.irregular.group);
     painter.overlay.add(this.plane.group, this.highlight.group, this.outline.group);
     painter.veil.add(this.seeThrough.group);
   }
@@ -71,6 +74,7 @@ export class Layers {
     this.surface.set(surface);
     this.irregular.among = surface?.faces.length ?? 0;
     this.#edged = false;
+    this.arrows.stale = true;
     this.highlight.set(surface, null);
   }
 
@@ -114,6 +118,7 @@ export class Layers {
     if (separation?.line_width !== undefined)
       this.edges.width = this.seeThrough.lineWidth = separation.line_width;
     if (status.see_through) this.seeThrough.look(status.see_through);
+    if (status.arrows) this.arrows.look(status.arrows);
     if (status.lighting?.shade !== undefined) this.surface.shade = status.lighting.shade;
     if (silhouette !== undefined) {
       this.silhouette.strength = silhouette;
@@ -128,8 +133,8 @@ export class Layers {
 
   /** All that is drawn is within; null where nothing is. */
   get box() {
-    const { surface, silhouette, seeThrough, irregular, plane, outline } = this;
-    return around([surface, silhouette, seeThrough, irregular, plane, outline].map(({ box }) => box));
+    const { surface, silhouette, seeThrough, irregular, arrows, plane, outline } = this;
+    return around([surface, silhouette, seeThrough, irregular, arrows, plane, outline].map(({ box }) => box));
   }
 
   /** Edges of the surface. @returns {number} */
@@ -168,6 +173,7 @@ export class Layers {
     for (const layer of [
       this.edges,
       this.irregular,
+      this.arrows,
       this.plane,
       this.highlight,
       this.outline,
@@ -206,13 +212,14 @@ export class Layers {
   }
 
   dispose() {
-    const { surface, edges, silhouette, irregular, plane, highlight, outline, seeThrough, gizmo, colours } =
-      this;
+    const { surface, edges, silhouette, irregular, arrows } = this;
+    const { plane, highlight, outline, seeThrough, gizmo, colours } = this;
     for (const layer of [
       surface,
       edges,
       silhouette,
       irregular,
+      arrows,
       plane,
       highlight,
       outline,
