@@ -185,6 +185,7 @@ COLOUR_BY = section(
 
 OFF = {"type": "boolean", "default": False}
 SIDE = {"type": ["number", "null"], "minimum": 1, "maximum": 8192, "default": None}
+LENGTH_UNITS = ("none", "nm", "um", "mm", "cm", "m", "km", "in", "ft")
 CORNER = ("bottom_left", "bottom_right", "top_left", "top_right")
 
 FIGURE = section(
@@ -249,6 +250,10 @@ SCHEMA: Schema = {
         "All settings of a view. A part of a document applies what it holds.",
         version={"const": VERSION, "default": VERSION},
         mesh=MESH,
+        unit=choice(
+            *LENGTH_UNITS,
+            description="Of the file's coordinates: told beside numbers, which stay the file's own; none: not named",
+        ),
         camera=CAMERA,
         filters=core(FILTERS),
         separation=SEPARATION,

@@ -9,6 +9,7 @@
  *     readonly sha256: string,
  *     readonly cells: number,
  *   },
+ *   readonly unit: "none" | "nm" | "um" | "mm" | "cm" | "m" | "km" | "in" | "ft",
  *   readonly camera: {
  *     readonly fit: boolean,
  *     readonly target: readonly [number, number, number],
@@ -145,6 +146,7 @@
  * The settings that are one word out of several, by their paths.
  *
  * @typedef {{
+ *   "unit": Status["unit"],
  *   "camera.projection": Status["camera"]["projection"],
  *   "filters.planes.rule": Status["filters"]["planes"]["rule"],
  *   "separation.mode": Status["separation"]["mode"],
