@@ -33,7 +33,7 @@ CHAPTERS = (
     ("picking", "Picking by hand"), ("regularise", "Regularise"), ("separation", "Separation"), ("colour", "Colour"),
     ("silhouette", "Silhouette"), ("see-through", "See through"), ("irregular", "Irregular edges"),
     ("lighting", "Light"), ("histogram", "Histogram and statistics"), ("diagnosis", "Diagnosis"),
-    ("inspector", "One cell"),
+    ("inspector", "One cell"), ("units", "Units"),
     ("sharing", "Settings and sharing"), ("saving", "Saving the mesh"), ("ways", "Four ways to use it"),
     ("offline", "Without a network"), ("keyboard", "Keyboard"),
     ("formats", "Formats"), ("metrics", "What the metrics mean"),

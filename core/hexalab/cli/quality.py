@@ -14,6 +14,7 @@ from ..arrays import Floats
 from ..packing import jsonable
 from ..summary import STATISTICS, measures
 from .tables import quality_table
+from .units import add_unit, titles
 
 
 def metric_id(text: str) -> str:
@@ -42,6 +43,7 @@ def configure(parser: ArgumentParser) -> None:
         "--csv", action="store_true", help="print CSV: a row per metric, or with --cells per cell"
     )
     parser.add_argument("--cells", action="store_true", help="give each cell's values, in the file's order")
+    add_unit(parser)
     parser.set_defaults(run=run)
 
 
@@ -58,7 +60,7 @@ def run(arguments: Namespace) -> int:
         write_csv(values if arguments.cells else None, measured)
     else:
         print(arguments.file)
-        print(quality_table(measured, {metric: METRICS[metric].name for metric in measured}))
+        print(quality_table(measured, titles(measured, arguments.unit)))
     return 0
 
 

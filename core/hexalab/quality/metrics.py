@@ -42,8 +42,8 @@ class Metric:
     normalisation : Normalisation
         The paper's phi and its inverse.
     length_power : int
-        Dimension of the values: the power of a length that they carry, 3 for a volume, 1 for a length, 0 for none. A mesh
-        that is scaled by s has values times s**length_power.
+        Dimension of the values: the power of a length that they carry, 3 for a volume, 1 for a length, 0 for none.
+        A mesh that is scaled by s has values times s**length_power.
     kinds : tuple of int
         Cell kinds (see `hexalab.cells.KINDS`) that have the metric.
     formula : str

@@ -186,6 +186,8 @@ COLOUR_BY = section(
 OFF = {"type": "boolean", "default": False}
 SIDE = {"type": ["number", "null"], "minimum": 1, "maximum": 8192, "default": None}
 LENGTH_UNITS = ("none", "nm", "um", "mm", "cm", "m", "km", "in", "ft")
+"""Units that a file's coordinates may be in; none: it was not named."""
+
 CORNER = ("bottom_left", "bottom_right", "top_left", "top_right")
 
 FIGURE = section(
