@@ -1,4 +1,4 @@
-"""Surfaces: what draws the shown cells, a module for each separation mode; silhouette; irregular edges."""
+"""Surfaces: what draws the shown cells, a module for each separation mode; silhouette; irregular and sharp edges."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from .darkness_coded_edges import darkness_coded_edges
 from .drawn_mesh import DrawnMesh
+from .feature_edges import BoundaryEdges, boundary_edge_angles, sharp_edges
 from .fissure import fissure
 from .frame import Frame, long_axis, outline, skin
 from .irregular import extract_irregular
@@ -18,16 +19,19 @@ from .silhouette import extract_silhouette
 __all__ = [
     "LINED",
     "MODES",
+    "BoundaryEdges",
     "DrawnMesh",
     "Frame",
     "Irregular",
     "Silhouette",
     "Surface",
+    "boundary_edge_angles",
     "extract_irregular",
     "extract_silhouette",
     "extract_surface",
     "long_axis",
     "outline",
+    "sharp_edges",
     "skin",
 ]
 
