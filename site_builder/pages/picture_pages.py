@@ -33,14 +33,16 @@ CHAPTERS = (
     ("picking", "Picking by hand"), ("regularise", "Regularise"), ("separation", "Separation"), ("colour", "Colour"),
     ("silhouette", "Silhouette"), ("see-through", "See through"), ("irregular", "Irregular edges"),
     ("lighting", "Light"), ("histogram", "Histogram and statistics"), ("diagnosis", "Diagnosis"),
-    ("inspector", "One cell"),
+    ("inspector", "One cell"), ("units", "Units"),
     ("sharing", "Settings and sharing"), ("saving", "Saving the mesh"), ("ways", "Four ways to use it"),
     ("offline", "Without a network"), ("keyboard", "Keyboard"),
     ("formats", "Formats"), ("metrics", "What the metrics mean"),
 )  # fmt: skip
 """The guide's sections by their anchors."""
 
-UNITS = {0: "", 1: "length", 3: "volume"}
+UNITS = {0: "none", 1: "length", 2: "length²", 3: "length³"}
+"""What a metric's values are measured in, by the power of a length."""
+
 NAMES_OF_KEYS = {"PageUp": "Page up", "PageDown": "Page down", "Escape": "Esc"}
 
 
@@ -125,7 +127,7 @@ def _metric_row(metric: Metric) -> MetricRow:
         "acceptable": interval(metric.acceptable_range) if metric.acceptable_range else NOT_KNOWN,
         "cube": cube,
         "better": metric.better,
-        "unit": UNITS[metric.unit],
+        "unit": UNITS[metric.length_power],
         "formula": formula(metric.formula),
     }
 

@@ -18,13 +18,17 @@ Ends = list[float | None]
 
 
 class MetricEntry(TypedDict):
-    """What the viewer's panels know of a metric; `better` says which of two values is: "high" or "low"."""
+    """What the viewer's panels know of a metric.
+
+    `better` says which of two values is: "high" or "low". `length_power` is the power of a length that values carry.
+    """
 
     id: str
     name: str
     symbol: str
     variant: str
     better: str
+    length_power: int
     full_range: Ends
     acceptable_range: Ends | None
 
@@ -87,6 +91,7 @@ def viewer_tables() -> ViewerTables:
                 "symbol": metric.symbol,
                 "variant": metric.variant,
                 "better": metric.better,
+                "length_power": metric.length_power,
                 "full_range": _ends(metric.full_range),
                 "acceptable_range": _ends(metric.acceptable_range) if metric.acceptable_range else None,
             }

@@ -8,11 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from .. import FORMATS, METRICS, MeshReadError, certify, read, summarise
+from .. import FORMATS, MeshReadError, certify, read, summarise
 from ..diagnosis import TURNED
 from ..mesh import Mesh
 from . import FINDING, MISUSE, complain
 from .tables import count, counted, quality_table
+from .units import add_unit, titles
 
 LAYERS_SHOWN = 12
 GROUPS_SHOWN = 24
@@ -27,6 +28,7 @@ def configure(parser: ArgumentParser) -> None:
         action="store_true",
         help="exit with 1 if a mesh has an invalid cell, or was inverted as a whole",
     )
+    add_unit(parser)
     parser.set_defaults(run=run)
 
 
@@ -45,7 +47,7 @@ def run(arguments: Namespace) -> int:
         if arguments.json:
             print(json.dumps(facts, ensure_ascii=False, allow_nan=False))
         else:
-            print("\n" * printed + described(facts))
+            print("\n" * printed + described(facts, arguments.unit))
         printed = True
         if arguments.strict and code != MISUSE and (TURNED in mesh.notes or has_invalid_cell(mesh)):
             code = FINDING
@@ -57,8 +59,8 @@ def has_invalid_cell(mesh: Mesh) -> bool:
     return bool(np.any(certify(mesh).state == 0))
 
 
-def described(facts: dict[str, Any]) -> str:
-    """Lay out the facts for reading."""
+def described(facts: dict[str, Any], unit: str) -> str:
+    """Lay out the facts for reading, lengths in a unit."""
     kinds, names = facts["kinds"], {row.id: row.name for row in FORMATS}
     parts = ", ".join(counted(number, kind) for kind, number in kinds.items())
     rows = [
@@ -84,8 +86,8 @@ def described(facts: dict[str, Any]) -> str:
         lines.append(f"  and {len(facts['groups']) - GROUPS_SHOWN} groups more (--json lists them)")
     lines += [f"  features: {told}" for told in told_features(facts["features"])]
     lines += [f"  finding: {finding['message']}" for finding in facts["findings"]]
-    metrics = {metric.id: metric.name for metric in METRICS.values()}
-    return "\n".join([*lines, "", quality_table(facts["quality"], metrics)])
+    measured = facts["quality"]
+    return "\n".join([*lines, "", quality_table(measured, titles(measured, unit))])
 
 
 def told_group(group: dict[str, Any]) -> str:

@@ -22,6 +22,7 @@ from ..packing import jsonable
 from ..quality.measures import worst_first
 from ..summary import STATISTICS, measures
 from .tables import number, quality_table, table
+from .units import add_unit, titles
 
 WORST_METRIC = "scaled_jacobian"
 """The metric by which cells are the worst, if none is named."""
@@ -85,6 +86,7 @@ def configure(parser: ArgumentParser) -> None:
         help="list the N worst cells: the file's numbers of them, values and barycentres "
         f"({WORST_METRIC} by default)",
     )
+    add_unit(parser)
     parser.set_defaults(run=run)
 
 
@@ -112,7 +114,7 @@ def run(arguments: Namespace) -> int:
         write_csv(numbers, values if arguments.cells else None, measured)
     else:
         print(arguments.file)
-        print(quality_table(measured, {metric: METRICS[metric].name for metric in measured}))
+        print(quality_table(measured, titles(measured, arguments.unit)))
     return 0
 
 

@@ -155,7 +155,7 @@ def quality_many(
     if means is not None:
         means = {kind: float(np.ldexp(mean, -VOLUME * exponent)) for kind, mean in means.items()}
     with_sizes(near, out, wanted, means)
-    return {metric: _in_unit(out[metric], METRICS[metric].unit * exponent) for metric in wanted}
+    return {metric: _in_unit(out[metric], METRICS[metric].length_power * exponent) for metric in wanted}
 
 
 def compared_volumes(mesh: Mesh) -> dict[int, Floats]:

@@ -41,8 +41,9 @@ class Metric:
         Which of two values is better.
     normalisation : Normalisation
         The paper's phi and its inverse.
-    unit : int
-        Power of a length that values carry: 3 for a volume, 1 for a length, 0 for none.
+    length_power : int
+        Dimension of the values: the power of a length that they carry, 3 for a volume, 1 for a length, 0 for none.
+        A mesh that is scaled by s has values times s**length_power.
     kinds : tuple of int
         Cell kinds (see `hexalab.cells.KINDS`) that have the metric.
     formula : str
@@ -64,7 +65,7 @@ class Metric:
     unit_cube: float | None
     better: Literal["high", "low"]
     normalisation: Normalisation
-    unit: int
+    length_power: int
     kinds: tuple[int, ...]
     formula: str
     remark: str = ""
@@ -87,7 +88,7 @@ class Metric:
         """
         values = np.asarray(values, dtype=np.float64)
         finite = np.isfinite(values)
-        if is_empty(self.normalisation, low, high, self.unit > 0):
+        if is_empty(self.normalisation, low, high, self.length_power > 0):
             return np.where(finite, 1.0, np.nan)
         with np.errstate(invalid="ignore"):
             normal = np.clip(self.normalisation.forward(values, low, high), 0.0, 1.0)
@@ -99,7 +100,7 @@ class Metric:
         What was clamped (a Scaled Jacobian below 0) is not recovered; of an empty range comes its one value.
         """
         normal = np.asarray(normal, dtype=np.float64)
-        if is_empty(self.normalisation, low, high, self.unit > 0):
+        if is_empty(self.normalisation, low, high, self.length_power > 0):
             return np.full(normal.shape, low)
         return np.asarray(self.normalisation.inverse(normal, low, high), dtype=np.float64)
 

@@ -1,4 +1,4 @@
-"""What is drawn over the surface: features, sharp edges, sets of vertices, interfaces between groups (SPEC R12, R13)."""
+"""What is drawn over the surface: features, sharp edges, sets of nodes, faces between groups (SPEC R12, R13)."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ..arrays import Array, Ids
 from ..diagnosis import held_features
 from ..grouping import Grouping, feature_groups
 from ..groups import Features, Group
-from ..surface import DrawnMesh
+from ..surface import DrawnMesh, sharp_edges
 from ..surface.flat import interleave
 from ..surface.records import Bytes, Marks
 from ..topology.lookup import sides_of
@@ -24,6 +24,9 @@ MARK_COLOURS = 6
 
 PLAIN, LOST = 6, 7
 """Of what is in no group, and of features that the mesh does not hold."""
+
+MOST_ANGLE = 180
+"""No two faces differ by more degrees."""
 
 KINDS = ("corners", "edges", "faces")
 """Features by dimension, as the settings call them."""
@@ -161,7 +164,7 @@ class MarkBook:
 
     def _sharp(self, degrees: float) -> Ids:
         """(2, n) edges of the boundary whose faces meet at more than an angle."""
-        return sharp_edges(self._drawn_mesh.whole, degrees)
+        return sharp_edges(self._drawn_mesh.mesh, degrees)
 
     def _interface_faces(self, origin: str) -> tuple[Ids, Bytes]:
         """(4, n) faces between groups of an origin, and the colour of each pair of groups."""

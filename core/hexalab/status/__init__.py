@@ -8,11 +8,12 @@ from typing import Any
 from ..errors import HexaLabError
 from .check import Rejection, check, quoted, same
 from .original import OpenMesh, from_original, is_original
-from .schema import CORE_PATHS, DEFAULTS, SCHEMA, VERSION, core_part
+from .schema import CORE_PATHS, DEFAULTS, LENGTH_UNITS, SCHEMA, VERSION, core_part
 
 __all__ = [
     "CORE_PATHS",
     "DEFAULTS",
+    "LENGTH_UNITS",
     "SCHEMA",
     "VERSION",
     "OpenMesh",

@@ -182,6 +182,9 @@ COLOUR_BY = section(
     ),
 )
 
+LENGTH_UNITS = ("none", "nm", "um", "mm", "cm", "m", "km", "in", "ft")
+"""Units that a file's coordinates may be in; none: it was not named."""
+
 SCHEMA: Schema = {
     "$schema": "https://json-schema.org/draft/2020-12/schema",
     "title": "HexaLab status",
@@ -189,6 +192,10 @@ SCHEMA: Schema = {
         "All settings of a view. A part of a document applies what it holds.",
         version={"const": VERSION, "default": VERSION},
         mesh=MESH,
+        unit=choice(
+            *LENGTH_UNITS,
+            description="Of the file's coordinates: told beside numbers, which stay the file's own; none: not named",
+        ),
         camera=CAMERA,
         filters=core(FILTERS),
         separation=SEPARATION,

@@ -1,4 +1,4 @@
-"""Surfaces: what draws the shown cells, a module for each separation mode; silhouette; irregular edges; arrows."""
+"""Surfaces: a module for each separation mode; silhouette; irregular and sharp edges; arrows."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from .arrows import VectorField, extract_arrows
 from .darkness_coded_edges import darkness_coded_edges
 from .drawn_mesh import DrawnMesh
+from .feature_edges import BoundaryEdges, boundary_edge_angles, sharp_edges
 from .fissure import fissure
 from .frame import Frame, long_axis, outline, skin
 from .irregular import extract_irregular
@@ -20,18 +21,21 @@ __all__ = [
     "LINED",
     "MODES",
     "Arrows",
+    "BoundaryEdges",
     "DrawnMesh",
     "Frame",
     "Irregular",
     "Silhouette",
     "Surface",
     "VectorField",
+    "boundary_edge_angles",
     "extract_arrows",
     "extract_irregular",
     "extract_silhouette",
     "extract_surface",
     "long_axis",
     "outline",
+    "sharp_edges",
     "skin",
 ]
 

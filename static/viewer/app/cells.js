@@ -56,7 +56,7 @@ export class Cells {
   /** Tell the value of the cell under the pointer, in the metric or attribute looked at. @param {number} cell */
   async tell(cell) {
     const { client, facts } = this.#app;
-    const { id, name, symbol } = quantityOf(this.#app);
+    const { id, name, symbol, unit } = quantityOf(this.#app);
     const ask = () => client.call("value", [cell, id], { replace: "hover" });
     const here = () => facts.get("hover")?.cell === cell;
     try {
@@ -66,7 +66,7 @@ export class Cells {
         if (here()) found = await ask();
       }
       const { kind, value, components } = found;
-      if (here()) facts.set({ hover: { cell, kind, name: symbol || name, value, components } });
+      if (here()) facts.set({ hover: { cell, kind, name: symbol || name, value, unit, components } });
     } catch {
       // the pointer went on, or another mesh has come: nothing to tell
     }

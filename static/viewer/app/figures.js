@@ -11,6 +11,7 @@ import { inOneLine } from "../state/entry.js";
 import { panelsOf } from "../state/panels.js";
 import { posed } from "./posing.js";
 import { quantityOf } from "../state/quantity.js";
+import { titled, unitOf } from "../state/units.js";
 
 /**
  * @typedef {import("../figure/compose.js").Figure} Figure
@@ -140,7 +141,11 @@ export class Figures {
         letters: laid.lettered,
         scale,
         scaleBar: asked.scale_bar
-          ? { corner: asked.scale_bar_place, unit: take.whole.height / (2 * half * diagonal) }
+          ? {
+              corner: asked.scale_bar_place,
+              pixels: take.whole.height / (2 * half * diagonal),
+              unit: unitOf(status, 1),
+            }
           : null,
         axes: asked.axes ? { corner: asked.axes_place, tips: this.#tips() } : null,
         caption,
@@ -169,7 +174,7 @@ export class Figures {
    * @param {{ whole: { width: number, height: number }, part: Box | null }} take @param {boolean} transparent
    */
   async #pictures(panels, { whole, part }, transparent) {
-    const { figure: _, ...seen } = this.#app.store.status;
+    const { figure: _, unit: __, ...seen } = this.#app.store.status;
     const key = JSON.stringify([seen, panels, whole, part, transparent]);
     if (this.#last?.key !== key) {
       const size = { width: Math.round(whole.width), height: Math.round(whole.height), transparent };
@@ -221,7 +226,7 @@ export class Figures {
       colour: mapColours(colour, highFirst),
       keys: keysOf(data, colour, highFirst),
       acceptable: quantity.acceptable,
-      title: figure.legend_title || quantity.name || facts.get("colour")?.label || "",
+      title: figure.legend_title || titled(quantity.name, quantity.unit) || facts.get("colour")?.label || "",
     };
   }
 

@@ -14,6 +14,9 @@ import { openingSettings, ownView } from "../state/opening_view.js";
 /** @param {readonly (readonly number[])[]} box two corners */
 const diagonalOf = ([low, high]) => Math.hypot(...high.map((end, axis) => end - low[axis]));
 
+/** @param {Origin} origin @param {MeshSummary} summary */
+const nameOf = (origin, summary) => (origin.offered === undefined ? origin.name : summary.name);
+
 /** @param {File} file @param {string} [name] its path, where a folder was opened @returns {Origin} */
 export function fromFile(file, name = file.name) {
   return { name, bytes: () => bytesOf(file) };
@@ -185,13 +188,15 @@ export class Opening {
     const entry = origin.entry ?? null;
     const before = facts.get("summary");
     const { status, touched } = store;
+    const alike = before?.cells === summary.cells;
     const changed = new Set(touched);
     const { settings, kept } = openingSettings(ownView(store.defaults, summary.view, entry?.mesh.view), {
       status,
       touched,
       keeping: before ? facts.get("keeping") : "changed",
       renewed: origin.renewed === true,
-      alike: before?.cells === summary.cells,
+      alike,
+      same: origin.renewed === true || (alike && status.mesh.name === nameOf(origin, summary)),
       has: (quantity, components = 0) =>
         Boolean(
           summary.attributes?.some(
@@ -239,7 +244,7 @@ export class Opening {
   /** @param {Origin} origin @param {Summary} summary */
   #tellMesh(origin, summary) {
     const { sha256 = "" } = origin;
-    const name = origin.offered === undefined ? origin.name : summary.name;
+    const name = nameOf(origin, summary);
     this.#app.store.set({ mesh: { name, cells: summary.cells, sha256 } }, { undo: false });
   }
 

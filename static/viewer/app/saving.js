@@ -5,6 +5,7 @@ import { keysOf } from "../figure/keys.js";
 import { printed } from "../figure/histogram.js";
 import { rasterised } from "../figure/raster.js";
 import { quantityOf } from "../state/quantity.js";
+import { plainUnitOf, titled } from "../state/units.js";
 import { safeStem } from "../files/names.js";
 import { writeStatus } from "../files/png_text.js";
 import { statusToHash } from "../state/link.js";
@@ -83,13 +84,21 @@ export class Saving {
     );
   }
 
+  /** The head of a column of values: the metric's id, and its unit where that is named. */
+  get #column() {
+    const { id, lengthPower } = quantityOf(this.#app);
+    return quoted(titled(id, plainUnitOf(this.#app.store.status, lengthPower)));
+  }
+
   /** The list of worst cells as CSV, the metric named in its head. */
   async saveWorst() {
     await this.#tried(async () => {
       const { id } = quantityOf(this.#app);
+      const length = plainUnitOf(this.#app.store.status, 1);
+      const head = ["cell", this.#column, ...["x", "y", "z"].map((axis) => titled(axis, length))];
       const { cells, values, places } = await this.#app.client.call("worst", [id, LISTED]);
       const rows = cells.map((cell, row) => [cell, values[row], ...places[row]].join(","));
-      saveFile(csvOf([`cell,${quoted(id)},x,y,z`, ...rows]), `${this.stem}-worst-${safe(id)}.csv`);
+      saveFile(csvOf([head.join(","), ...rows]), `${this.stem}-worst-${safe(id)}.csv`);
     });
   }
 
@@ -107,7 +116,7 @@ export class Saving {
             (value, row) => `${first + row},${written(value)}`,
           ).join("\r\n"),
         );
-      saveFile(csvOf([`cell,${quoted(id)}`, ...parts]), `${this.stem}-${safe(id)}.csv`);
+      saveFile(csvOf([`cell,${this.#column}`, ...parts]), `${this.stem}-${safe(id)}.csv`);
     });
   }
 
@@ -130,8 +139,11 @@ export class Saving {
     const { store, facts } = this.#app;
     const data = facts.get("histogram");
     if (!data) return null;
-    if (format === "csv") return new Blob([toCsv(data, data.quantity)], { type: "text/csv" });
     const quantity = quantityOf(this.#app);
+    if (format === "csv") {
+      const unit = plainUnitOf(store.status, quantity.lengthPower);
+      return new Blob([toCsv(data, data.quantity, unit)], { type: "text/csv" });
+    }
     const { histogram, colour, figure } = store.status;
     const highFirst = facts.get("colour")?.high_first ?? false;
     const scale = {
@@ -139,7 +151,8 @@ export class Saving {
       colour: mapColours(colour, highFirst),
       keys: keysOf(data, colour, highFirst),
       acceptable: quantity.acceptable,
-      title: histogram.title || `${quantity.name}, ${facts.get("summary")?.name ?? ""}`,
+      title:
+        histogram.title || `${titled(quantity.name, quantity.unit)}, ${facts.get("summary")?.name ?? ""}`,
     };
     const { svg, width, height } = printed(scale, histogram);
     if (format === "svg") return new Blob([textOf(svg)], { type: "image/svg+xml" });

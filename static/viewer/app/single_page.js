@@ -13,6 +13,7 @@ import { MOST_METRICS, MOST_SLICES } from "../state/leaving.js";
 import { PANELS } from "../state/panels.js";
 import { chooseQuantity, quantityOptions } from "../state/quantity.js";
 import { metricOf } from "../state/tables.js";
+import { unitOf } from "../state/units.js";
 import { posed } from "./posing.js";
 
 /**
@@ -147,6 +148,7 @@ export class SinglePage {
         id,
         name: metric?.name ?? (shown?.label || "Boundary and inside"),
         symbol: metric?.symbol ?? "",
+        unit: unitOf(app.store.status, metric?.length_power ?? 0),
         colour: app.store.status.colour,
         positions: shown && Float32Array.from(numbers, (cell) => shown.map_position[cell]),
         high_first: shown?.high_first ?? false,

@@ -14,7 +14,7 @@ import { meshesIn, originIn, settingsBeside } from "./archive.js";
  * @typedef {{ width?: number, height?: number }} Size
  * @typedef {Record<string, string | number>} Row  a line of the table
  * @typedef {Record<string, number | null>} Numbers  statistics by name, null where they are none
- * @typedef {{ name: string, problem: string, picture?: string, vertices?: number, cells?: number, boundary_faces?: number,
+ * @typedef {{ name: string, problem: string, picture?: string, unit?: string, vertices?: number, cells?: number, boundary_faces?: number,
  *   quality?: Record<string, Numbers> }} Measured  what is told of a mesh: of one that failed, name and problem
  * @typedef {{ name: string, bytes: Uint8Array<ArrayBuffer> }} Made  a file
  * @typedef {import("../state/answers.js").Summary} Summary
@@ -148,7 +148,10 @@ export class Batch {
           made.push(await madeOf(`${stem}-${quantity.replace(/[^\w-]+/g, "-")}.${format}`, histogram));
       }
       const quality = await this.#measure();
-      return { measured: { name, problem: "", picture, vertices, cells, boundary_faces, quality }, made };
+      const { unit } = this.#host.store.status;
+      const named = unit === "none" ? {} : { unit };
+      const counts = { vertices, cells, boundary_faces };
+      return { measured: { name, problem: "", picture, ...named, ...counts, quality }, made };
     } catch (error) {
       if (error instanceof Superseded)
         throw new Error("the batch was stopped: another mesh was opened", { cause: error });

@@ -1,4 +1,3 @@
-import { decimal } from "../state/numbers.js";
 import { s } from "../widgets/dom.js";
 import { along, valueUnder } from "./histogram_layout.js";
 
@@ -16,7 +15,8 @@ const CLICK = 3;
  * over the bars, and nothing hidden after a double click.
  *
  * @param {SVGElement} svg
- * @param {{ band: () => Band | undefined, write: (band: Band | null, undo: string) => void, done: () => void, quantity: () => string }} filter
+ * @param {{ band: () => Band | undefined, write: (band: Band | null, undo: string) => void, done: () => void, quantity: () => string,
+ *   words: (value: number) => string }} filter
  */
 export function brush(svg, filter) {
   const still = s("g");
@@ -87,7 +87,7 @@ export function brush(svg, filter) {
         "aria-valuemin": at.low,
         "aria-valuemax": at.high,
         "aria-valuenow": value,
-        "aria-valuetext": decimal(value),
+        "aria-valuetext": filter.words(value),
       },
       s("path", { d: path, class: "bound-grip" }),
       s("path", { d: path, class: "bound-line" }),

@@ -11,7 +11,8 @@ import { niceTicks } from "./ticks.js";
  * @property {number} low
  * @property {number} high
  *
- * @typedef {{ width: number, height: number, orientation: "horizontal" | "vertical", scale: "linear" | "log" }} Frame
+ * @typedef {{ width: number, height: number, orientation: "horizontal" | "vertical", scale: "linear" | "log", unit?: string }} Frame  unit:
+ *   of the values, if they have one that is named
  * @typedef {{ x: number, y: number, width: number, height: number }} Box
  *
  * @typedef {object} Layout
@@ -19,6 +20,7 @@ import { niceTicks } from "./ticks.js";
  * @property {boolean} upright bars stand on the value axis; else they lie along it
  * @property {number} low
  * @property {number} high
+ * @property {string} unit told at the axis; may be empty
  * @property {number} highest the largest count
  * @property {{ box: Box, bin: number }[]} bars
  * @property {{ value: number, at: number }[]} ticks
@@ -28,11 +30,14 @@ import { niceTicks } from "./ticks.js";
 const MARGIN = { top: 24, right: 8, bottom: 20, left: 8 };
 const LYING_LEFT = 44;
 
+/** Of the line that tells the unit below upright bars. */
+const UNIT_LINE = 14;
+
 /** @param {HistogramData} data @param {Frame} frame @returns {Layout} */
-export function layOut(data, { width, height, orientation, scale }) {
+export function layOut(data, { width, height, orientation, scale, unit = "" }) {
   const upright = orientation === "horizontal";
   const left = upright ? MARGIN.left : LYING_LEFT;
-  const bottom = upright ? MARGIN.bottom : MARGIN.right;
+  const bottom = upright ? MARGIN.bottom + (unit ? UNIT_LINE : 0) : MARGIN.right;
   const plot = {
     x: left,
     y: MARGIN.top,
@@ -47,7 +52,7 @@ export function layOut(data, { width, height, orientation, scale }) {
     scale === "log"
       ? (/** @type {number} */ n) => Math.log1p(n) / Math.log1p(highest)
       : (/** @type {number} */ n) => n / highest;
-  const layout = { plot, upright, low, high, highest };
+  const layout = { plot, upright, low, high, unit, highest };
   const bars = counts.flatMap((n, bin) => {
     if (!n) return [];
     const from = along(layout, Number(data.edges[bin]));

@@ -1,4 +1,5 @@
 import { s } from "../widgets/dom.js";
+import { withUnit } from "../state/units.js";
 import { along } from "./histogram_layout.js";
 import { tickText } from "./ticks.js";
 
@@ -26,18 +27,19 @@ export function marks(layout, data, look) {
     ...bars(layout, data, look),
     ...bracket(layout, look),
     ...countLabel(layout, look),
+    ...unitLabel(layout, look),
   ];
 }
 
 /** @param {Layout} layout @param {HistogramData} data @param {Look} look */
-function bars({ bars, upright }, data, { colour, rim }) {
+function bars({ bars, upright, unit }, data, { colour, rim }) {
   return bars.map(({ box, bin }) => {
     const gap = (upright ? box.width : box.height) > 3 ? 0.5 : 0;
     const inner = upright ? { ...box, width: box.width - gap } : { ...box, height: box.height - gap };
     const title = s(
       "title",
       {},
-      `${tickText(Number(data.edges[bin]))} to ${tickText(Number(data.edges[bin + 1]))}: ${data.counts[bin]}`,
+      `${tickText(Number(data.edges[bin]))} to ${withUnit(tickText(Number(data.edges[bin + 1])), unit)}: ${data.counts[bin]}`,
     );
     return s(
       "rect",
@@ -103,4 +105,13 @@ function countLabel({ plot, upright, highest }, { quiet }) {
     ? { x: plot.x, y: 10, "text-anchor": "start" }
     : { x: plot.x + plot.width, y: 10, "text-anchor": "end" };
   return [s("text", { ...place, fill: quiet, "font-size": 11 }, highest.toLocaleString("en-GB"))];
+}
+
+/** The unit of the values, at their axis. @param {Layout} layout @param {Look} look */
+function unitLabel({ plot, upright, unit }, { quiet }) {
+  if (!unit) return [];
+  const place = upright
+    ? { x: plot.x + plot.width / 2, y: plot.y + plot.height + 29, "text-anchor": "middle" }
+    : { x: plot.x - 6, y: 10, "text-anchor": "end" };
+  return [s("text", { ...place, fill: quiet, "font-size": 11, class: "unit" }, unit)];
 }

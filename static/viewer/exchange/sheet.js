@@ -23,6 +23,7 @@
  * @property {string} id of the quantity; empty for sides and categories
  * @property {string} name
  * @property {string} symbol
+ * @property {string} unit of the values; may be empty
  * @property {import("../state/status.js").Status["colour"]} colour
  * @property {Float32Array | null} positions of the cells on the map; null for sides
  * @property {boolean} high_first

@@ -18,7 +18,7 @@ import { axes, panelLetter, scaleBar } from "./overlay.js";
  * @property {Style} style
  * @property {boolean} letters whether panels have their letters
  * @property {Scale | { colours: { colour: string, name: string }[], title: string } | null} scale what the legend tells
- * @property {{ corner: import("./overlay.js").Corner, unit: number } | null} scaleBar pixels to a length of 1, of a picture
+ * @property {import("./overlay.js").ScaleBar & { corner: import("./overlay.js").Corner } | null} scaleBar
  * @property {{ corner: import("./overlay.js").Corner, tips: [number, number, number][] } | null} axes
  * @property {string[]} caption its lines
  */
@@ -50,7 +50,7 @@ function over({ layout, style, letters, scale, scaleBar: bar, axes: directions, 
   const letter = style.size * style.point;
   return [
     ...(letters ? layout.pictures.flatMap((box, k) => panelLetter(box, k, style)) : []),
-    ...(bar ? scaleBar(bar.corner.endsWith("left") ? first : last, bar.corner, bar.unit, style) : []),
+    ...(bar ? scaleBar(bar.corner.endsWith("left") ? first : last, bar.corner, bar, style) : []),
     ...(directions
       ? axes(directions.corner.endsWith("left") ? first : last, directions.corner, directions.tips, style)
       : []),

@@ -1,4 +1,5 @@
 import { tickText } from "../charts/ticks.js";
+import { withUnit } from "../state/units.js";
 import { line, words } from "./legend.js";
 
 /**
@@ -6,6 +7,7 @@ import { line, words } from "./legend.js";
  *
  * @typedef {import("./layout.js").Box} Box
  * @typedef {import("./legend.js").Style} Style
+ * @typedef {{ pixels: number, unit: string }} ScaleBar  pixels to a length of 1 in the file's unit, and that unit's name; may be empty
  * @typedef {"bottom_left" | "bottom_right" | "top_left" | "top_right"} Corner
  */
 
@@ -37,21 +39,24 @@ function cornerOf(box, corner, aside) {
 }
 
 /**
- * @param {Box} box @param {Corner} corner @param {number} unit pixels to a length of 1 in the file's unit @param {Style} style
+ * @param {Box} box @param {Corner} corner @param {ScaleBar} bar @param {Style} style
  * @returns {SVGElement[]}
  */
-export function scaleBar(box, corner, unit, style) {
+export function scaleBar(box, corner, { pixels, unit }, style) {
   const letter = style.size * style.point;
-  const length = roundLength((LONGEST * box.width) / unit);
+  const length = roundLength((LONGEST * box.width) / pixels);
   const { x, y, right, top } = cornerOf(box, corner, letter);
-  const [from, to] = right ? [x - length * unit, x] : [x, x + length * unit];
+  const [from, to] = right ? [x - length * pixels, x] : [x, x + length * pixels];
   const base = top ? y + 1.4 * letter : y;
   const end = 0.3 * letter;
   return [
     line([from, base], [to, base], style),
     line([from, base - end], [from, base + end], style),
     line([to, base - end], [to, base + end], style),
-    words(tickText(length), (from + to) / 2, base - 0.55 * letter, { style, anchor: "middle" }),
+    words(withUnit(tickText(length), unit), (from + to) / 2, base - 0.55 * letter, {
+      style,
+      anchor: "middle",
+    }),
   ];
 }
 

@@ -1,5 +1,5 @@
-import { decimal } from "../state/numbers.js";
 import { quantityOf } from "../state/quantity.js";
+import { measured } from "../state/units.js";
 import { watch } from "../widgets/bind.js";
 import { h, setText } from "../widgets/dom.js";
 
@@ -17,15 +17,16 @@ export function cellLabel(context, scene) {
     const cell = context.facts.get("cell");
     element.hidden = !cell || !place;
     if (!cell || !place) return;
-    const { id, symbol, name } = quantityOf(context);
+    const { id, symbol, name, unit } = quantityOf(context);
     const value = cell.metrics[id];
-    setText(element, `${cell.cell}${value === undefined ? "" : ` · ${symbol || name} ${decimal(value)}`}`);
+    const words = value === undefined ? "" : ` · ${symbol || name} ${measured(value, unit)}`;
+    setText(element, `${cell.cell}${words}`);
     element.style.translate = `${Math.round(place.x)}px ${Math.round(place.y)}px`;
   };
   scene.on("marked", (at) => {
     place = at;
     show();
   });
-  watch(context, { facts: ["cell"], status: ["colour"] }, show);
+  watch(context, { facts: ["cell"], status: ["colour", "unit"] }, show);
   return element;
 }

@@ -1,6 +1,7 @@
 import { kindsInWords } from "../panels/mesh.js";
 import { quantityOf } from "../state/quantity.js";
 import { decimal } from "../state/numbers.js";
+import { measured } from "../state/units.js";
 import { watch } from "../widgets/bind.js";
 import { setText } from "../widgets/dom.js";
 import { shownInWords } from "./status_line.js";
@@ -14,7 +15,7 @@ export function pictureInWords(context, canvas) {
   const caption = /** @type {HTMLElement} */ (document.getElementById("picture-in-words"));
   watch(
     context,
-    { status: ["filters", "colour", "separation.mode"], facts: ["summary", "shown", "statistics"] },
+    { status: ["filters", "colour", "separation.mode", "unit"], facts: ["summary", "shown", "statistics"] },
     () => {
       const words = sentences(context);
       setText(caption, words.join(" "));
@@ -46,7 +47,7 @@ function sentences(context) {
       ? "Boundary faces and exposed faces differ in colour."
       : `Coloured by ${colour.by === "kind" ? "cell kind" : quantity.name}.`,
     statistics
-      ? `${quantity.name}: from ${decimal(statistics.min)} to ${decimal(statistics.max)}, mean ${decimal(statistics.mean)}.`
+      ? `${quantity.name}: from ${decimal(statistics.min)} to ${measured(statistics.max, quantity.unit)}, mean ${measured(statistics.mean, quantity.unit)}.`
       : "",
   ].filter(Boolean);
 }

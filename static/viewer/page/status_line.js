@@ -1,4 +1,5 @@
 import { count, counted, decimal } from "../state/numbers.js";
+import { measured } from "../state/units.js";
 import { watch } from "../widgets/bind.js";
 import { h, setText } from "../widgets/dom.js";
 
@@ -35,6 +36,9 @@ function hoverInWords({ facts }) {
   const tool = TOOL_WORDS[facts.get("tool")];
   if (!hover) return [facts.get("changed"), tool].filter(Boolean).join(" · ");
   const parts = hover.components ? ` (${hover.components.map((one) => decimal(one)).join(", ")})` : "";
-  const value = typeof hover.value === "number" ? `, ${hover.name} ${decimal(hover.value)}${parts}` : "";
+  const value =
+    typeof hover.value === "number"
+      ? `, ${hover.name} ${measured(hover.value, hover.unit ?? "")}${parts}`
+      : "";
   return [`cell ${hover.cell}${value}`, tool].filter(Boolean).join(" · ");
 }

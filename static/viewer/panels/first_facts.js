@@ -1,4 +1,5 @@
 import { count, decimal } from "../state/numbers.js";
+import { unitOf, withUnit } from "../state/units.js";
 import { watch } from "../widgets/bind.js";
 import { h } from "../widgets/dom.js";
 
@@ -9,14 +10,14 @@ import { h } from "../widgets/dom.js";
  */
 export function firstFacts(context) {
   const element = h("dl", { class: "facts first-facts" });
-  watch(context, { facts: ["summary", "description"] }, () => {
+  watch(context, { status: ["unit"], facts: ["summary", "description"] }, () => {
     const summary = context.facts.get("summary");
     const description = context.facts.get("description");
     element.hidden = !summary;
     if (!summary) return;
     const inverted = description?.findings && invertedIn(description.findings);
     const rows = [
-      ["Extent", extentInWords(summary.extent)],
+      ["Extent", withUnit(extentInWords(summary.extent), unitOf(context.store.status, 1))],
       ["Parts", count(description?.components)],
       ["Inverted cells", inverted === 0 ? "none" : count(inverted)],
     ];

@@ -2,6 +2,7 @@ import { mapColours } from "../colours/palettes.js";
 import { bandOf, withBand } from "./quality_filter.js";
 import { quantityOf } from "../state/quantity.js";
 import { decimal } from "../state/numbers.js";
+import { measured, titled } from "../state/units.js";
 import { watch } from "../widgets/bind.js";
 import { h, s, setText } from "../widgets/dom.js";
 import { icon } from "../widgets/icons.js";
@@ -52,6 +53,7 @@ export function histogramPanel(context) {
     write: (band, undo) => context.store.set(withBand(context, band), { undo }),
     done: () => context.store.seal(),
     quantity: () => quantityOf(context).id,
+    words: (value) => measured(value, quantityOf(context).unit),
   });
 
   const dark = matchMedia("(prefers-color-scheme: dark)");
@@ -67,6 +69,7 @@ export function histogramPanel(context) {
       height: large ? element.clientHeight - LARGE_RIM : HEIGHTS[orientation],
       orientation,
       scale,
+      unit: quantity.unit,
     };
     const layout = layOut(data, frame);
     const style = getComputedStyle(element);
@@ -82,7 +85,7 @@ export function histogramPanel(context) {
     svg.setAttribute("viewBox", `0 0 ${frame.width} ${frame.height}`);
     svg.setAttribute("width", String(frame.width));
     svg.setAttribute("height", String(frame.height));
-    svg.setAttribute("aria-label", `Histogram of ${quantity.name}`);
+    svg.setAttribute("aria-label", `Histogram of ${titled(quantity.name, quantity.unit)}`);
     hand.draw(layout, marks(layout, data, look));
     setText(caption, inWords(data, quantity));
     note.hidden = !data.not_finite;
@@ -96,7 +99,7 @@ export function histogramPanel(context) {
 
   watch(
     context,
-    { status: ["histogram", "colour", "filters.quality"], facts: ["histogram", "statistics"] },
+    { status: ["histogram", "colour", "filters.quality", "unit"], facts: ["histogram", "statistics"] },
     draw,
   );
   new ResizeObserver(draw).observe(element);
@@ -108,6 +111,6 @@ export function histogramPanel(context) {
 function inWords(data, quantity) {
   const counts = Array.from(data.counts, Number);
   const peak = counts.indexOf(Math.max(...counts));
-  const between = `${decimal(Number(data.edges[peak]))} and ${decimal(Number(data.edges[peak + 1]))}`;
-  return `${quantity.name} from ${decimal(data.low)} to ${decimal(data.high)}; most values, ${counts[peak]}, lie between ${between}.`;
+  const between = `${decimal(Number(data.edges[peak]))} and ${measured(Number(data.edges[peak + 1]), quantity.unit)}`;
+  return `${quantity.name} from ${decimal(data.low)} to ${measured(data.high, quantity.unit)}; most values, ${counts[peak]}, lie between ${between}.`;
 }

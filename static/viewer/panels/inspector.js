@@ -1,5 +1,6 @@
 import { decimal } from "../state/numbers.js";
 import { isOutside } from "../state/quantity.js";
+import { measured, titled, unitOf } from "../state/units.js";
 import { watch } from "../widgets/bind.js";
 import { h } from "../widgets/dom.js";
 import { icon } from "../widgets/icons.js";
@@ -30,7 +31,7 @@ export function inspector(context) {
     h("header", {}, heading, close),
     body,
   );
-  watch(context, { facts: ["cell"] }, () => {
+  watch(context, { status: ["unit"], facts: ["cell"] }, () => {
     const cell = context.facts.get("cell");
     element.hidden = !cell;
     if (!cell) return;
@@ -42,14 +43,18 @@ export function inspector(context) {
 
 /** @param {Context} context @param {Inspection} cell */
 function parts(context, cell) {
-  const { tables, app } = context;
+  const { tables, app, store } = context;
   const neighbours = cell.neighbours.filter((other) => other >= 0);
   const metrics = tables.metrics
     .filter(({ id }) => cell.metrics[id] !== undefined)
-    .map(({ id, name, variant, acceptable_range: range }) =>
-      metricRow(name, cell.pending.includes(id) ? "…" : cell.metrics[id], range, variant),
+    .map(({ id, name, variant, acceptable_range: range, length_power: power }) =>
+      metricRow(name, cell.pending.includes(id) ? "…" : cell.metrics[id], {
+        range,
+        variant,
+        unit: unitOf(store.status, power),
+      }),
     );
-  const attributes = Object.entries(cell.attributes).map(([name, value]) => metricRow(name, value, null));
+  const attributes = Object.entries(cell.attributes).map(([name, value]) => metricRow(name, value));
   return [
     h("p", { class: "quiet" }, `${cell.kind}, ${cell.validity}`),
     h(
@@ -66,7 +71,7 @@ function parts(context, cell) {
     ),
     table("Quality", metrics),
     attributes.length ? table("Attributes", attributes) : null,
-    cornersTable(cell),
+    cornersTable(cell, unitOf(store.status, 1)),
     h(
       "p",
       { class: "cell-list" },
@@ -78,12 +83,15 @@ function parts(context, cell) {
   ].filter((part) => part !== null);
 }
 
-/** @param {string} name @param {unknown} value @param {readonly [number | null, number | null] | null} range @param {string} [variant] */
-function metricRow(name, value, range, variant = "") {
+/**
+ * @param {string} name @param {unknown} value
+ * @param {{ range?: readonly [number | null, number | null] | null, variant?: string, unit?: string }} [metric] what an attribute has not
+ */
+function metricRow(name, value, { range = null, variant = "", unit = "" } = {}) {
   const outside = range && typeof value === "number" && isOutside(value, range);
   const text =
     typeof value === "number"
-      ? decimal(value)
+      ? measured(value, unit)
       : Array.isArray(value)
         ? value.map((x) => decimal(Number(x))).join(", ")
         : String(value ?? "–");
@@ -101,11 +109,11 @@ function table(caption, rows) {
   return h("table", { class: "table" }, h("caption", {}, caption), h("tbody", {}, ...rows));
 }
 
-/** @param {Inspection} cell */
-function cornersTable({ corners, coordinates }) {
+/** @param {Inspection} cell @param {string} unit of the coordinates; may be empty */
+function cornersTable({ corners, coordinates }, unit) {
   const at = (/** @type {number} */ corner) => coordinates[corner].map((x) => decimal(x)).join(" ");
   return table(
-    "Corners",
+    titled("Corners", unit),
     corners.map((id, corner) => h("tr", {}, h("th", { scope: "row" }, String(id)), h("td", {}, at(corner)))),
   );
 }

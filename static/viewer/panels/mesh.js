@@ -1,3 +1,4 @@
+import { optionsOf } from "../state/choices.js";
 import { KIND_NAMES } from "../state/kinds.js";
 import { counted } from "../state/numbers.js";
 import { h } from "../widgets/dom.js";
@@ -28,6 +29,16 @@ export const mesh = {
     { kind: "custom", render: keeping },
     { kind: "custom", render: headline },
     { kind: "custom", render: firstFacts },
+    {
+      kind: "choice",
+      id: "length-unit",
+      label: "Unit",
+      hint: "Of length, that the file's coordinates are in: told beside numbers, which stay the file's own",
+      path: "unit",
+      facts: ["summary"],
+      options: optionsOf("unit"),
+      hidden: ({ facts }) => !facts.get("summary"),
+    },
     { kind: "custom", render: partList },
     { kind: "custom", render: findings },
   ],

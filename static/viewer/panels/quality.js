@@ -1,5 +1,6 @@
 import { optionsOf } from "../state/choices.js";
 import { clamp, count, decimal } from "../state/numbers.js";
+import { measured, unitOf, withUnit } from "../state/units.js";
 import { watch } from "../widgets/bind.js";
 import { wholeNumber } from "../widgets/controls.js";
 import { h } from "../widgets/dom.js";
@@ -132,7 +133,7 @@ function statisticsOf(context) {
 }
 
 /** @type {import("../widgets/bind.js").Dependencies} */
-const WATCHED = { status: ["colour"], facts: ["statistics", "summary"] };
+const WATCHED = { status: ["colour", "unit"], facts: ["statistics", "summary"] };
 
 /** Which of the metrics it is that go by its name. @param {Context} context */
 function variant(context) {
@@ -151,10 +152,12 @@ function digest(context) {
     const statistics = statisticsOf(context);
     element.hidden = !statistics;
     if (!statistics) return;
+    const { unit } = quantityOf(context);
+    element.classList.toggle("digest-stacked", unit !== "");
     const pairs = [
-      ["min", decimal(statistics.min)],
-      ["mean", decimal(statistics.mean)],
-      ["max", decimal(statistics.max)],
+      ["min", measured(statistics.min, unit)],
+      ["mean", measured(statistics.mean, unit)],
+      ["max", measured(statistics.max, unit)],
     ];
     element.replaceChildren(
       ...pairs.map(([name, value]) => h("div", {}, h("dt", {}, name), h("dd", {}, value))),
@@ -168,23 +171,27 @@ function rangeInWords([low, high]) {
   return `${low === null ? "−∞" : decimal(low, 2)} to ${high === null ? "∞" : decimal(high, 2)}`;
 }
 
-/** @param {Statistics} statistics @param {import("../state/quantity.js").Quantity} quantity @returns {[string, string][]} */
-function statisticsRows(statistics, quantity) {
+/** @param {Context} context @param {Statistics} statistics @returns {[string, string][]} */
+function statisticsRows(context, statistics) {
   const { percentiles } = statistics;
+  const { unit, lengthPower, acceptable } = quantityOf(context);
+  const { status } = context.store;
+  const two = (/** @type {string} */ low, /** @type {string} */ high) =>
+    `${decimal(percentiles[low])}, ${measured(percentiles[high], unit)}`;
   /** @type {[string, string][]} */
   const rows = [
-    ["Minimum", decimal(statistics.min)],
-    ["Maximum", decimal(statistics.max)],
-    ["Mean", decimal(statistics.mean)],
-    ["Median", decimal(statistics.median)],
-    ["Variance", decimal(statistics.variance)],
-    ["Percentiles 1, 5", `${decimal(percentiles["1"])}, ${decimal(percentiles["5"])}`],
-    ["25, 75", `${decimal(percentiles["25"])}, ${decimal(percentiles["75"])}`],
-    ["95, 99", `${decimal(percentiles["95"])}, ${decimal(percentiles["99"])}`],
+    ["Minimum", measured(statistics.min, unit)],
+    ["Maximum", measured(statistics.max, unit)],
+    ["Mean", measured(statistics.mean, unit)],
+    ["Median", measured(statistics.median, unit)],
+    ["Variance", measured(statistics.variance, unitOf(status, 2 * lengthPower))],
+    ["Percentiles 1, 5", two("1", "5")],
+    ["25, 75", two("25", "75")],
+    ["95, 99", two("95", "99")],
   ];
-  if (quantity.acceptable) {
+  if (acceptable) {
     rows.push(
-      ["Acceptable", rangeInWords(quantity.acceptable)],
+      ["Acceptable", withUnit(rangeInWords(acceptable), unit)],
       ["Outside it", count(statistics.outside_acceptable)],
     );
   }
@@ -199,9 +206,8 @@ function statisticsTable(context) {
   const element = h("table", { class: "table" }, caption, body);
   watch(context, WATCHED, () => {
     const statistics = statisticsOf(context);
-    const quantity = quantityOf(context);
-    caption.textContent = `Statistics of ${quantity.name}`;
-    const rows = statistics ? statisticsRows(statistics, quantity) : [];
+    caption.textContent = `Statistics of ${quantityOf(context).name}`;
+    const rows = statistics ? statisticsRows(context, statistics) : [];
     body.replaceChildren(
       ...rows.map(([name, value]) => h("tr", {}, h("th", { scope: "row" }, name), h("td", {}, value))),
     );

@@ -111,7 +111,8 @@ export const qualityFilterControls = [
     kind: "choice",
     id: "quality-keep",
     label: "",
-    status: [ITEMS, "colour"],
+    unit: (context) => quantityOf(context).unit,
+    status: [ITEMS, "colour", "unit"],
     facts: FACTS,
     options: (context) => {
       const { symbol, name, attribute } = quantityOf(context);

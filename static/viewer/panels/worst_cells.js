@@ -1,5 +1,6 @@
 import { count, decimal } from "../state/numbers.js";
 import { quantityOf } from "../state/quantity.js";
+import { titled, unitOf } from "../state/units.js";
 import { watch } from "../widgets/bind.js";
 import { h } from "../widgets/dom.js";
 
@@ -19,14 +20,9 @@ const total = (context) => context.facts.get("statistics")[quantityOf(context).i
  */
 export function worstCells(context) {
   const caption = h("caption");
+  const headings = ["Cell", "Value", "Place"].map((name) => h("th", { scope: "col" }, name));
   const body = h("tbody", { onkeydown: (/** @type {KeyboardEvent} */ event) => walk(event, body) });
-  const table = h(
-    "table",
-    { class: "table worst" },
-    caption,
-    h("thead", {}, h("tr", {}, ...["Cell", "Value", "Place"].map((name) => h("th", { scope: "col" }, name)))),
-    body,
-  );
+  const table = h("table", { class: "table worst" }, caption, h("thead", {}, h("tr", {}, ...headings)), body);
   const others = h("p", {
     class: "cell-list",
     onkeydown: (/** @type {KeyboardEvent} */ event) => walk(event, others),
@@ -42,11 +38,13 @@ export function worstCells(context) {
     ),
   );
   const element = h("div", { class: "worst-cells" }, h("div", { class: "worst-rows" }, table), others, save);
-  watch(context, { facts: ["worst", "cell", "summary"] }, () => {
+  watch(context, { status: ["unit"], facts: ["worst", "cell", "summary"] }, () => {
     const worst = context.facts.get("worst");
     element.hidden = !worst;
     if (!worst) return;
-    const { attribute, name } = quantityOf(context);
+    const { attribute, name, unit } = quantityOf(context);
+    headings[1].textContent = titled("Value", unit);
+    headings[2].textContent = titled("Place", unitOf(context.store.status, 1));
     caption.textContent = `${attribute ? "Highest" : "Worst"} cells by ${name}`;
     const inspected = context.facts.get("cell")?.cell;
     const focused = body.contains(document.activeElement) || others.contains(document.activeElement);

@@ -1,4 +1,5 @@
 import { count, counted, decimal } from "../state/numbers.js";
+import { measured } from "../state/units.js";
 import { h, setText } from "../widgets/dom.js";
 
 /**
@@ -84,9 +85,9 @@ function slider({ shots }, choose) {
 function inWords(shown, { x, y }) {
   const hit = shown.cellAt(x, y);
   if (!hit) return "";
-  const { name } = shown.colouring;
+  const { name, unit } = shown.colouring;
   const value =
-    hit.value === null ? "" : `, ${name} ${Number.isFinite(hit.value) ? decimal(hit.value) : "none"}`;
+    hit.value === null ? "" : `, ${name} ${Number.isFinite(hit.value) ? measured(hit.value, unit) : "none"}`;
   return `cell ${hit.cell}${value}`;
 }
 

@@ -1,3 +1,5 @@
+import { SYMBOLS } from "./units.js";
+
 /**
  * What the words of the settings are called on the screen. Which words there are, and in which order, says the schema.
  *
@@ -14,6 +16,7 @@ const CORNERS = {
 
 /** @type {{ readonly [Path in keyof Choices]: Readonly<Record<Choices[Path], string>> }} */
 const NAMES = {
+  unit: { ...SYMBOLS, none: "not named" },
   "camera.projection": { perspective: "Perspective", orthographic: "Orthographic" },
   "filters.planes.rule": { barycentre: "hide by barycentre", any_corner: "hide by any corner" },
   "separation.mode": {

@@ -17,6 +17,7 @@
  * @property {string} [kind]
  * @property {string} [name] of the quantity looked at
  * @property {number | null} [value]
+ * @property {string} [unit] of the value; may be empty
  * @property {readonly (number | null)[] | null} [components] of which the value is the magnitude
  *
  * @typedef {object} FactTable  the facts by name

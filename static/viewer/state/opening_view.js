@@ -15,6 +15,7 @@ import { merge } from "./paths.js";
  * @property {Keeping} keeping
  * @property {boolean} alike whether the meshes have as many cells, so that picked ones may mean the same
  * @property {boolean} renewed whether it is the same mesh, written anew: then all stays that can
+ * @property {boolean} same whether it is the file that was open, as far as one can tell: then its unit is still true
  * @property {(quantity: string, components?: number) => boolean} has whether the mesh that is opened has this attribute, of so many
  *   components
  */
@@ -43,7 +44,7 @@ export function ownView(defaults, { direction, up, facing }, portrait = {}) {
  * @param {Status} own the mesh's own @param {Before} before
  * @returns {{ settings: PartialStatus, kept: boolean }}
  */
-export function openingSettings(own, { status, touched, keeping, alike, renewed, has }) {
+export function openingSettings(own, { status, touched, keeping, alike, renewed, same, has }) {
   const changed = VIEW.some((section) => touched.has(section));
   const kept = renewed || keeping === "always" || (keeping === "changed" && changed);
   const { version: _, mesh: __, ...sections } = own;
@@ -61,6 +62,7 @@ export function openingSettings(own, { status, touched, keeping, alike, renewed,
   return {
     settings: {
       ...settings,
+      unit: same ? status.unit : own.unit,
       colour: {
         ...colour,
         range: renewed && known ? colour.range : null,

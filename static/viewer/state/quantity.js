@@ -1,4 +1,5 @@
 import { metricOf } from "./tables.js";
+import { unitOf } from "./units.js";
 
 /**
  * What is looked at, coloured and filtered by: a quantity, that is a metric or one of the file's attributes; and its scale.
@@ -8,7 +9,8 @@ import { metricOf } from "./tables.js";
  * @property {import("./facts.js").Facts} facts
  * @property {import("./tables.js").Tables} tables
  *
- * @typedef {{ id: string, name: string, symbol: string, variant: string, attribute: boolean, worstValue: number, bestValue: number,
+ * @typedef {{ id: string, name: string, symbol: string, variant: string, attribute: boolean, lengthPower: number, unit: string,
+ *   worstValue: number, bestValue: number,
  *   outer: readonly [number, number] | null,
  *   acceptable: readonly [number | null, number | null] | null }} Quantity
  */
@@ -24,12 +26,15 @@ export function quantityOf({ store, facts, tables }) {
   const low = axis?.low ?? statistics?.min ?? 0;
   const high = axis?.high ?? statistics?.max ?? 1;
   const better = row?.better ?? "low";
+  const lengthPower = row?.length_power ?? 0; // of attributes nobody knows
   return {
     id,
     name: row?.name ?? attributeName(facts.get("summary"), id),
     symbol: row?.symbol ?? "",
     variant: row?.variant ?? "",
     attribute: !row,
+    lengthPower,
+    unit: unitOf(store.status, lengthPower),
     bestValue: statistics?.best_value ?? (better === "low" ? low : high),
     worstValue: statistics?.worst_value ?? (better === "low" ? high : low),
     acceptable: row?.acceptable_range ?? null,

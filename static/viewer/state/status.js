@@ -9,6 +9,7 @@
  *     readonly sha256: string,
  *     readonly cells: number,
  *   },
+ *   readonly unit: "none" | "nm" | "um" | "mm" | "cm" | "m" | "km" | "in" | "ft",
  *   readonly camera: {
  *     readonly fit: boolean,
  *     readonly target: readonly [number, number, number],
@@ -92,6 +93,15 @@
  *     readonly cells: "none" | "all" | "cut" | "quality" | "parts" | "groups" | "picking",
  *     readonly opacity: number,
  *   },
+ *   readonly marks: {
+ *     readonly corners: boolean,
+ *     readonly edges: boolean,
+ *     readonly faces: boolean,
+ *     readonly hidden: readonly string[],
+ *     readonly sharp_angle: number,
+ *     readonly nodes: readonly string[],
+ *     readonly interfaces: string,
+ *   },
  *   readonly arrows: {
  *     readonly attribute: string,
  *     readonly length: number,
@@ -157,6 +167,7 @@
  * The settings that are one word out of several, by their paths.
  *
  * @typedef {{
+ *   "unit": Status["unit"],
  *   "camera.projection": Status["camera"]["projection"],
  *   "filters.planes.rule": Status["filters"]["planes"]["rule"],
  *   "separation.mode": Status["separation"]["mode"],

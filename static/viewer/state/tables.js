@@ -8,6 +8,7 @@
  * @property {string} symbol
  * @property {string} variant which of several that go by the name; may be empty
  * @property {"high" | "low"} better
+ * @property {number} length_power power of a length that values carry: 3 for a volume
  * @property {readonly [number | null, number | null]} full_range null: unbounded
  * @property {readonly [number | null, number | null] | null} acceptable_range
  *

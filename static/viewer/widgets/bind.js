@@ -53,6 +53,7 @@
  * @typedef {object} Row  what every control has
  * @property {string} [id] unique on the page
  * @property {string} [label]
+ * @property {(context: Context) => string} [unit] of its numbers, if they have one that is named; stands in the place of the label
  * @property {string} [hint] more about it, as a tooltip
  * @property {string} [path] where its value stands in the status
  * @property {readonly string[]} [status] further paths it depends on

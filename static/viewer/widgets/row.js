@@ -13,10 +13,12 @@ import { freshId, h, setAttribute, setText } from "./dom.js";
 export function row(context, control, { body, target, update, className = "" }) {
   target.id ||= control.id ?? freshId("control");
   const why = h("span", { class: "row-why", id: `${target.id}-why` });
+  const unit = control.unit ? h("span", { class: "row-unit", "aria-hidden": "true" }) : null;
   const label = h(
     "label",
     { class: "row-label", for: target.id, ondblclick: () => reset(control, context) },
     control.label,
+    unit,
   );
   const element = h(
     "div",
@@ -31,6 +33,7 @@ export function row(context, control, { body, target, update, className = "" }) 
     element.hidden = control.hidden?.(context) ?? false;
     element.classList.toggle("idle", reason !== "");
     setText(why, reason);
+    if (unit) setText(unit, control.unit?.(context) ?? "");
     setAttribute(target, "aria-describedby", reason ? why.id : null);
     label.title = [control.hint, reason, canReset(control) && "Double-click: reset"]
       .filter(Boolean)

@@ -244,6 +244,20 @@ def test_A2_quality_table(run: Run, mesh_file: Path) -> None:
     assert out.splitlines()[2].split() == ["Skew", *["0.000"] * 5, "0", "0"]
 
 
+@pytest.mark.parametrize("verb", ["info", "quality"])
+def test_A2_a_unit_is_told_in_the_table_and_nothing_is_converted(
+    run: Run, mesh_file: Path, verb: str
+) -> None:
+    _, plain, _ = run(verb, mesh_file)
+    code, out, err = run(verb, mesh_file, "--unit", "um")
+    assert (code, err) == (0, "")
+    named = {"Jacobian (µm³)", "Volume (µm³)", "Dimension (µm)", "Characteristic Length (µm)"}
+    assert set(re.findall(r"^  (.+? \(\S+\))  ", out, re.MULTILINE)) == named
+    assert re.sub(r" \(µm³?\)", "", out).split() == plain.split()
+    code, _, err = run(verb, mesh_file, "--unit", "yard")
+    assert code == 2 and "yard" in err
+
+
 @pytest.mark.parametrize("ending", ["mesh", "vtk", "vtu", "meshb", "msh", "inp", "msh.gz"])
 def test_A2_convert(run: Run, mesh_file: Path, tmp_path: Path, ending: str) -> None:
     target = tmp_path / f"out.{ending}"

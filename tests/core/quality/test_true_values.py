@@ -48,7 +48,7 @@ def assert_alike(mesh: Mesh, other: Mesh, power: int) -> None:
     before, after = quality_many(mesh), quality_many(other)
     for id, metric in METRICS.items():
         with np.errstate(over="ignore", under="ignore"):
-            expected = np.ldexp(before[id], metric.unit * power)
+            expected = np.ldexp(before[id], metric.length_power * power)
         np.testing.assert_array_equal(after[id], expected, err_msg=id)
     assert everything(other) == everything(mesh)
 
@@ -82,7 +82,10 @@ def test_Q7_cells_of_any_size_are_measured_alike(scale: float) -> None:
     before, after = quality_many(mesh_of(cells)), quality_many(mesh_of(cells * scale))
     for id, metric in METRICS.items():
         np.testing.assert_allclose(
-            after[id], before[id] * scale**metric.unit, rtol=1e-7, atol=0 if metric.unit else 1e-9
+            after[id],
+            before[id] * scale**metric.length_power,
+            rtol=1e-7,
+            atol=0 if metric.length_power else 1e-9,
         )
 
 

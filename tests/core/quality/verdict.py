@@ -104,7 +104,7 @@ def of_corners(corners: np.ndarray, metric: str, kind: int = HEXAHEDRON) -> np.n
     near = np.ldexp(moved, -power[:, None, None])
     values = quality(near.reshape(-1, 3), np.arange(count * k).reshape(count, k), metric, kind)
     values[~(np.abs(values) < 1e30)] = 0 if "size" in metric else np.nan
-    return np.ldexp(values, METRICS[metric].unit * power) * ROUNDED.get((kind, metric), 1)
+    return np.ldexp(values, METRICS[metric].length_power * power) * ROUNDED.get((kind, metric), 1)
 
 
 def longest_over_shortest(corners: np.ndarray) -> np.ndarray:

@@ -20,6 +20,15 @@ for (const orientation of /** @type {const} */ (["horizontal", "vertical"])) {
       assert.ok(Math.abs(valueUnder(layout, along(layout, value)) - value) < 1e-12);
   });
 
+  test(`Q4: a unit has room at the axis, and leaves the bars theirs, ${orientation}`, () => {
+    const plain = layOut(DATA, frame);
+    const named = layOut(DATA, { ...frame, unit: "mm³" });
+    assert.equal(named.unit, "mm³");
+    assert.equal(plain.unit, "");
+    assert.equal(plain.plot.height - named.plot.height, orientation === "horizontal" ? 14 : 0);
+    assert.equal(plain.plot.y, named.plot.y);
+  });
+
   test(`Q4: bars keep inside the plot, are as long as their counts, and empty bins have none, ${orientation}`, () => {
     const { bars, plot, upright } = layOut(DATA, frame);
     assert.deepEqual(bars.map(({ bin }) => bin), [1, 2, 3]); // prettier-ignore

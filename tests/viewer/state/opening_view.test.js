@@ -7,6 +7,7 @@ const defaults = /** @type {import("../../../static/viewer/state/status.js").Sta
   /** @type {unknown} */ ({
     version: 2,
     mesh: { name: "", sha256: "", cells: 0 },
+    unit: "none",
     camera: { fit: true, target: [0, 0, 0], direction: [0, 0, -1], up: [0, 1, 0], distance: 1.5 },
     filters: {
       planes: { enabled: true, items: [{ enabled: true, normal: [1, 0, 0], offset: 0 }] },
@@ -31,6 +32,7 @@ const untouched = {
   keeping: /** @type {const} */ ("changed"),
   alike: false,
   renewed: false,
+  same: false,
   has: () => false,
 };
 const turned = {
@@ -134,7 +136,13 @@ test("A5: a mesh that was written anew keeps all that it can", () => {
     ...turned,
     colour: { ...turned.colour, by: /** @type {const} */ ("quality"), range: [0.2, 1] },
   };
-  const renewed = { ...untouched, status: /** @type {any} */ (status), renewed: true, alike: true };
+  const renewed = {
+    ...untouched,
+    status: /** @type {any} */ (status),
+    renewed: true,
+    same: true,
+    alike: true,
+  };
   const { settings } = openingSettings(own, renewed);
   const filters = {
     ...sections.filters,
@@ -144,4 +152,18 @@ test("A5: a mesh that was written anew keeps all that it can", () => {
   const other = openingSettings(own, { ...renewed, alike: false, has: () => true }).settings;
   assert.deepEqual(other.filters?.picking, own.filters.picking, "of other cells none is picked");
   assert.equal(other.filters?.quality?.items?.length, 2);
+});
+
+test("S1: a unit that was named is one file's: it stays with this, and no other mesh takes it over", () => {
+  const status = { ...defaults, unit: /** @type {const} */ ("mm") };
+  const before = { ...untouched, status, touched: new Set(["unit", "camera"]), alike: true };
+  for (const keeping of /** @type {const} */ (["changed", "always", "never"]))
+    assert.equal(openingSettings(own, { ...before, keeping }).settings.unit, "none");
+  assert.equal(openingSettings(own, { ...before, same: true }).settings.unit, "mm");
+  const portrait = ownView(defaults, view, { unit: "in" });
+  assert.equal(
+    openingSettings(portrait, before).settings.unit,
+    "in",
+    "one of the catalogue may name its own",
+  );
 });
