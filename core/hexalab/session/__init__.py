@@ -215,7 +215,7 @@ class Session:
             `shown_cells`, `shown_faces`, `max_depth` (None until it is known), `plane_ranges` (extent of the
             barycentres along each plane's normal, in drawing coordinates), `pending` (records that wait for
             `describe`), `timings` (ms), and of the records `surface`, `silhouette`, `see_through`, `irregular`,
-            `arrows`, `colour` those that changed.
+            `arrows`, `marks`, `colour` those that changed.
 
         Raises
         ------
@@ -303,6 +303,10 @@ class Session:
         """Measure the groups of cells: `id`, `volume`, `scaled_jacobian_min` and `_mean`, `invalid` of each."""
         rows: list[Result] = jsonable(self._open_mesh().group_table())
         return rows
+
+    def interfaces(self, origin: str) -> list[Result]:
+        """Tell where the groups of an origin meet; see `grouped.GroupBook.interface_table`."""
+        return self._open_mesh().groups.interface_table(origin)
 
     def validity(self) -> Result:
         """Return how many cells are certified valid, invalid or undecided, and which are invalid."""

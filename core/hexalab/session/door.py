@@ -30,6 +30,7 @@ METHODS = (
     "worst",
     "values",
     "group_table",
+    "interfaces",
     "validity",
     "numbers",
     "find",

@@ -11,15 +11,16 @@ from numpy.typing import NDArray
 
 from ..arrays import Array, Ids
 from ..diagnosis import held_features
+from ..group_facts import listed_features
 from ..grouping import Grouping, feature_groups
 from ..groups import Features, Group
 from ..surface import DrawnMesh, sharp_edges
 from ..surface.flat import interleave
 from ..surface.records import Bytes, Marks
 from ..topology.lookup import sides_of
-from .grouped import GroupBook
+from .grouped import PAIR_COLOURS, GroupBook
 
-MARK_COLOURS = 6
+MARK_COLOURS = PAIR_COLOURS
 """The viewer's palette of marks has so many colours before it begins again."""
 
 PLAIN, LOST = 6, 7
@@ -100,6 +101,25 @@ class MarkBook:
         """(n,) the cell of each feature face, -1 without."""
         mesh = self._drawn_mesh.whole
         return sides_of(mesh.corners, mesh.vertex_count, self.features["faces"].features.corners)[0]
+
+    def wanted(self, settings: dict[str, Any]) -> bool:
+        """Whether settings ask for anything that this mesh has."""
+        features = any(settings[part.called] for part in self._drawn_mesh.whole.features)
+        sharp = settings["sharp_angle"] < MOST_ANGLE
+        return bool(features or sharp or settings["nodes"] or settings["interfaces"])
+
+    def listed(self) -> dict[str, dict[str, Any]]:
+        """What features there are; see `hexalab.group_facts.listed_features`; with the `colour` of each group.
+
+        It is None of groups that none are coloured by.
+        """
+        facts = listed_features(self._drawn_mesh.whole)
+        for name, drawn in self.features.items():
+            coloured = {group.id: place for place, group in enumerate(drawn.colouring.groups)}
+            for row in facts[name]["groups"]:
+                place = coloured.get(row["id"])
+                row["colour"] = None if place is None else place % MARK_COLOURS
+        return facts
 
     def ids(self) -> set[str]:
         """Ids of all groups of features, behind what they are of: "edges:reference:5"."""
