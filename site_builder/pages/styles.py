@@ -26,7 +26,7 @@ SHEETS = {
         "viewer/widgets/fields", "viewer/widgets/slider", "viewer/widgets/button", "viewer/widgets/link",
         "viewer/widgets/icon", "viewer/widgets/swatch", "viewer/widgets/table",
         "viewer/panels/mesh", "viewer/panels/catalogue", "viewer/panels/findings", "viewer/panels/structure",
-        "viewer/panels/histogram", "viewer/panels/quality", "viewer/panels/arrows", "viewer/panels/inspector",
+        "viewer/panels/histogram", "viewer/panels/quality", "viewer/panels/arrows", "viewer/panels/groups", "viewer/panels/inspector",
         "viewer/dialogs/dialog", "viewer/dialogs/save", "viewer/dialogs/figure", "viewer/dialogs/status_editor",
         "viewer/dialogs/help",
     ),

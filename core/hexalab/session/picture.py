@@ -138,7 +138,7 @@ class Picture:
     def _colour_by_group(self, origin: str) -> dict[str, Any] | None:
         """Return each cell's colour by its group of an origin, the first one by default; None without groups."""
         book = self.opened.groups
-        origin = origin or next(iter(book.groupings), "")
+        origin = origin if origin in book.groupings else next(iter(book.groupings), "")
         if not origin:
             return None
         grouping, colours = book.grouping(origin), book.colours(origin)

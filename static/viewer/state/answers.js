@@ -72,7 +72,7 @@
  * @property {string} origin
  * @property {number | null} number
  * @property {number} count
- * @property {number | null} [colour] row of the palette of marks; null of groups that none are coloured by
+ * @property {number | null} colour row of the palette of marks; null of groups that none are coloured by
  *
  * @typedef {object} GroupMeasures  of a group of cells
  * @property {string} id
