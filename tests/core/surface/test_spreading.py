@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from hexalab.surface.spreading import APART, OPPOSITE, spread
+from hexalab.surface.spreading import spread
 
 Floats32 = NDArray[np.float32]
 
@@ -39,15 +39,15 @@ def one_by_one(places: Floats32, normals: Floats32, most: int) -> list[int]:
         candidates = []
         for inside in cubes.values():
             first = min(inside)
-            mates = [one for one in inside if normals[:, one[1]] @ normals[:, first[1]] < OPPOSITE]
+            mates = [one for one in inside if normals[:, one[1]] @ normals[:, first[1]] < -0.5]
             candidates += [first, *([min(mates)] if mates else [])]
         if len(candidates) <= most:
             break
     kept: list[int] = []
     for _, row in sorted(candidates):
         near = (
-            np.linalg.norm(places[:, row] - places[:, other]) < APART * side
-            and normals[:, row] @ normals[:, other] > OPPOSITE
+            np.linalg.norm(places[:, row] - places[:, other]) < 0.5 * side
+            and normals[:, row] @ normals[:, other] > -0.5
             for other in kept
         )
         if not any(near):
