@@ -82,7 +82,7 @@ def group_measures(
     if not len(full):
         return out
     members = np.concatenate([groups[place].members for place in full])
-    starts = np.append(0, np.cumsum(sizes[full])[:-1])
+    starts = np.append(0, np.cumsum(sizes[full])[:-1]).astype(np.intp)  # of 32 bits in a browser
     volumes = _sums(volume[members], starts)[0]
     quality = scaled_jacobian[members]
     finite = np.isfinite(quality)

@@ -28,7 +28,7 @@ import { statusLine } from "./status_line.js";
 import { pictureInWords } from "./picture_in_words.js";
 
 /** The panel's sections, in their order. */
-export const SECTIONS = [mesh, groups, filters, drawing, features, quality, structure, surroundings];
+export const SECTIONS = [mesh, groups, filters, drawing, quality, features, structure, surroundings];
 
 /** Everything of the page around the canvas. */
 export class Page {

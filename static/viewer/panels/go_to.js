@@ -51,9 +51,7 @@ export function goTo(context) {
       },
     },
     h("label", { class: "row-label", for: "go-to", title: "By the number of the file (N)" }, "Go to"),
-    kind,
-    input,
-    h("button", { type: "submit", class: "button" }, "Go"),
+    h("span", { class: "goal" }, kind, input, h("button", { type: "submit", class: "button" }, "Go")),
   );
   watch(context, { facts: ["summary"] }, () => (form.hidden = !context.facts.get("summary")));
   return form;

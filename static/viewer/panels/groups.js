@@ -225,7 +225,7 @@ function nodePart(context, nodes) {
 /** Size and quality of each group of cells, measured when the table is unfolded. @param {Context} context */
 function groupTable(context) {
   const body = h("tbody");
-  const heads = ["Group", "Cells", "Volume", "SJ min", "SJ mean", "Invalid"];
+  const heads = ["Group", "Cells", "Invalid", "SJ min", "SJ mean", "Volume"];
   const table = h(
     "table",
     { class: "table group-table" },
@@ -253,10 +253,10 @@ function groupTable(context) {
         const found = measures?.[group.id];
         const values = found
           ? [
-              decimal(found.volume),
+              count(found.invalid),
               decimal(found.scaled_jacobian_min),
               decimal(found.scaled_jacobian_mean),
-              count(found.invalid),
+              decimal(found.volume),
             ]
           : ["…", "…", "…", "…"];
         return h(
@@ -264,7 +264,7 @@ function groupTable(context) {
           {},
           h("th", { scope: "row", title: groupName(group) }, groupName(group)),
           h("td", {}, count(group.count)),
-          ...values.map((value, k) => h("td", k === 3 && found?.invalid ? { class: "outside" } : {}, value)),
+          ...values.map((value, k) => h("td", k === 0 && found?.invalid ? { class: "outside" } : {}, value)),
         );
       }),
     );
