@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ..arrays import Array, Ids
 from ..diagnosis import held_features
+from ..group_facts import listed_features
 from ..grouping import Grouping, feature_groups
 from ..groups import Features, Group
 from ..surface import DrawnMesh, sharp_edges
@@ -104,6 +105,60 @@ class MarkBook:
     def wanted(self, settings: dict[str, Any]) -> bool:
         """Whether settings ask for anything that this mesh has."""
         features = any(settings[part.called] for part in self._drawn_mesh.whole.features)
+        sharp = settings["sharp_angle"] < MOST_ANGLE
+        return bool(features or sharp or settings["nodes"] or settings["interfaces"])
+
+    def listed(self) -> dict[str, dict[str, Any]]:
+        """What features there are; see `hexalab.group_facts.listed_features`; with the `colour` of each group.
+
+        It is None of groups that none are coloured by.
+        """
+        facts = listed_features(self._drawn_mesh.whole)
+        for name, drawn in self.features.items():
+            coloured = {group.id: place for place, group in enumerate(drawn.colouring.groups)}
+            for row in facts[name]["groups"]:
+                place = coloured.get(row["id"])
+                row["colour"] = None if place is None else place % MARK_COLOURS
+        return facts
+
+    def ids(self) -> set[str]:
+        """Ids of all groups of features, behind what they are of: "edges:reference:5"."""
+        return {f"{name}:{group.id}" for name, drawn in self.features.items() for group in drawn.groups}
+
+    def marks(self, settings: dict[str, Any], shown: NDArray[np.bool_]) -> Marks:
+        """Collect what settings (the status' section `marks`) ask for, on the shown cells.
+
+        Features that the mesh does not hold are drawn wherever they are.
+        """
+        hidden = frozenset(settings["hidden"])
+        near = None
+        faces: list[tuple[Array, Bytes]] = []
+        edges: list[tuple[Array, Bytes]] = []
+        points: list[tuple[Array, Bytes]] = []
+        counts: dict[str, int] = {}
+        sharp = settings["sharp_angle"]
+        if sharp < MOST_ANGLE:
+            near = self._near(shown) if near is None else near
+            found = self._sharp(sharp)
+            found = found[:, near[found].all(axis=0)]
+            edges.append((found, np.full(found.shape[1], PLAIN, dtype=np.uint8)))
+            counts["sharp"] = found.shape[1]
+        for name in KINDS:
+            if not settings[name] or name not in self.features:
+                continue
+            near = self._near(shown) if near is None else near
+            drawn = self.features[name]
+            corners = drawn.features.corners
+            if name == "faces":
+                cells = self._face_cells
+                seen = (cells < 0) | shown[cells]
+            else:
+                seen = ~drawn.held | near[corners].all(axis=0)
+            which = np.flatnonzero(seen & drawn.shown(hidden))
+            {"corners": points, "edges": edges, "faces": faces}[name].append(
+                (corners[:, which], drawn.colours[which])
+            )
+            counts[name] = len(which)
         for place, id in enumerate(settings["nodes"]):
             group = self._groups.of_vertices.get(id)
             if group is not None:
