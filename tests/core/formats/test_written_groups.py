@@ -132,7 +132,10 @@ def test_R12_abaqus_holds_sets_and_surfaces(tmp_path: Path) -> None:
     assert sorted(there.cell_sets["STEEL"][0].tolist()) == [0, 1, 2, 5]
     assert sorted(there.point_sets["fixed"].tolist()) == [0, 3, 35]
     notes = " ".join(left_behind(mesh, writer_of(file)))
-    assert "2 corners, 3 edges left out" in notes
+    assert "2 corners, 3 edges left out" in notes and "left out." not in notes.replace("edges left out.", "")
+    inner = np.array([[0, 1, 2, 35]], dtype=np.int32).T
+    lost = replace(mesh, features=(Features(2, inner),))
+    assert "1 other is left out" in " ".join(left_behind(lost, writer_of(file)))
 
 
 @pytest.mark.parametrize("format_id", ["mesh", "meshb"])
