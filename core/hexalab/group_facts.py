@@ -10,12 +10,10 @@ from numpy.typing import NDArray
 
 from .arrays import Array, Floats
 from .diagnosis import held_features
-from .diagnosis.coincidence import coincident_leaders
 from .grouping import Grouping, feature_groups, groups_of
 from .groups import DIMENSIONS, Group
 from .mesh import Mesh
 from .topology import Topology
-from .topology.lookup import face_keys_of
 
 KINDS_OF_GROUP = {"cell": "cells", "vertex": "vertices"}
 """What the members of groups are, in facts."""
@@ -138,42 +136,6 @@ def interfaces(grouping: Grouping, topology: Topology) -> dict[tuple[int, int], 
         (key // count - 1, key % count - 1): rows[part]
         for key, part in zip(found.tolist(), np.split(order, starts[1:]), strict=True)
     }
-
-
-def touching(mesh: Mesh, grouping: Grouping) -> dict[tuple[int, int], int]:
-    """Count the faces of two groups that lie on each other and are not joined: their nodes are others.
-
-    Parameters
-    ----------
-    mesh : Mesh
-    grouping : Grouping
-
-    Returns
-    -------
-    dict of (int, int) to int
-        Pairs of faces with the same corners, as places go, for each pair of groups, as in `interfaces`.
-    """
-    leader = coincident_leaders(mesh)
-    double = leader != np.arange(len(leader))
-    if not double.any():
-        return {}
-    near = double.copy()
-    near[leader[double]] = True
-    topology = mesh.topology
-    rows = np.arange(topology.faces.paired, topology.faces.boundary_end)
-    cells, local = topology.face_cells[0, rows], topology.face_locals[0, rows]
-    corners = topology.corners_of(cells, local)
-    some = np.flatnonzero(near[corners].all(axis=0))
-    keys = face_keys_of(leader[corners[:, some]])
-    order = np.lexsort((keys[1], keys[0]))
-    same = np.flatnonzero((keys[:, order[1:]] == keys[:, order[:-1]]).all(axis=0))
-    labels = grouping.labels[cells[some]]
-    one, other = labels[order[same]], labels[order[same + 1]]
-    counts: dict[tuple[int, int], int] = {}
-    for a, b in zip(np.minimum(one, other).tolist(), np.maximum(one, other).tolist(), strict=True):
-        if a != b:
-            counts[a, b] = counts.get((a, b), 0) + 1
-    return counts
 
 
 def all_groups(mesh: Mesh) -> list[dict[str, Any]]:

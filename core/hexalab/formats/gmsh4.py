@@ -90,8 +90,7 @@ class Gmsh4:
         return dimension, entity, first[2], self.numbers.count(count, 1, what)
 
     def nodes(self) -> Nodes:
-        """Read what follows `$Nodes`: blocks of numbers and coordinates; parametric ones are dropped.
-        """
+        """Read what follows `$Nodes`: blocks of numbers and coordinates; parametric ones are dropped."""
         blocks, total = self.header("nodes")
         tags: list[NDArray[Any]] = [np.empty(0, dtype=np.int64)]
         points: list[NDArray[Any]] = [np.empty((3, 0))]

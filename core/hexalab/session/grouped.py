@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import Array, Ids
+from ..contacts import contacts
 from ..errors import HexaLabError
-from ..group_facts import interfaces, listed_groups, touching
+from ..group_facts import interfaces, listed_groups
 from ..grouping import Grouping, groupings, groups_of
 from ..groups import Group
 from ..mesh import Mesh
@@ -96,10 +97,11 @@ class GroupBook:
         -------
         list of dict
             For each pair `groups` (two ids; None stands for cells in no group), `faces` (those that both share),
-            `apart` (pairs of faces that lie on each other and are not joined), `colour` of the faces.
+            `apart` (faces of the one that lie on the other
+            and are not joined to it; see `hexalab.contacts`), `colour` of the faces.
         """
         grouping, shared = self.grouping(origin), self.interfaces(origin)
-        apart_too = touching(self._mesh, grouping)
+        apart_too = contacts(self._mesh, grouping.labels)
         colours = {pair: place % PAIR_COLOURS for place, pair in enumerate(shared)}
 
         def name(place: int) -> str | None:

@@ -84,7 +84,7 @@
  * @typedef {object} Interface  where two groups meet
  * @property {[string | null, string | null]} groups null: cells in no group
  * @property {number} faces that both share
- * @property {number} apart pairs of faces that lie on each other and are not joined
+ * @property {number} apart faces of the one that lie on the other and are not joined to it
  * @property {number | null} colour row of the palette of marks
  *
  * @typedef {object} Numbers  how the file numbers cells
