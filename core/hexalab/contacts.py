@@ -138,13 +138,15 @@ def _lying_on(sides: Sides, below: Sides, low: Floats, side: float) -> NDArray[n
     upper, lower = upper[facing], lower[facing]
     on = _within(sides.middles[:, upper], below.some(lower))
     label = below.labels[lower[on]]
-    return np.stack([upper[on].astype(np.int64), label.astype(np.int64)])
+    found: NDArray[np.int64] = np.stack([upper[on].astype(np.int64), label.astype(np.int64)])
+    return found
 
 
 def _key(cubes: NDArray[np.int64]) -> NDArray[np.int64]:
     """One number for each cube."""
     x, y, z = cubes + 1  # the first may lie a little before the lowest corner
-    return (x << 2 * BITS) + (y << BITS) + z
+    keys: NDArray[np.int64] = (x << 2 * BITS) + (y << BITS) + z
+    return keys
 
 
 def _within(points: Floats, faces: Sides) -> NDArray[np.bool_]:

@@ -17,6 +17,7 @@ from .units import add_unit, titles
 
 LAYERS_SHOWN = 12
 GROUPS_SHOWN = 24
+CELLS_SHOWN = 5
 
 
 def configure(parser: ArgumentParser) -> None:
@@ -85,9 +86,20 @@ def described(facts: dict[str, Any], unit: str) -> str:
     if len(facts["groups"]) > GROUPS_SHOWN:
         lines.append(f"  and {len(facts['groups']) - GROUPS_SHOWN} groups more (--json lists them)")
     lines += [f"  features: {told}" for told in told_features(facts["features"])]
-    lines += [f"  finding: {finding['message']}" for finding in facts["findings"]]
+    lines += [f"  finding: {finding['message']}{named(finding)}" for finding in facts["findings"]]
     measured = facts["quality"]
     return "\n".join([*lines, "", quality_table(measured, titles(measured, unit))])
+
+
+def named(finding: dict[str, Any]) -> str:
+    """Write the first cells or vertices that a finding concerns, by the file's numbers."""
+    for what, called in (("cells", "cell"), ("vertices", "vertex")):
+        numbers = finding[what]
+        if numbers:
+            more = finding["count"] - len(numbers[:CELLS_SHOWN])
+            rest = ", ..." if more > 0 else ""
+            return f" ({called} {', '.join(map(str, numbers[:CELLS_SHOWN]))}{rest})"
+    return ""
 
 
 def told_group(group: dict[str, Any]) -> str:
