@@ -285,7 +285,7 @@ def test_R11_rows_that_are_counted_on_are_found_too() -> None:
 
 def test_R11_cells_as_texts_for_other_programs(session: Session) -> None:
     assert session.cell_list([0, 5], "elset", "BAD") == "*ELSET, ELSET=BAD\n70, 20\n"
-    assert session.cell_list([0, 5], "paraview") == "in1d(id, [0, 5])\n"
+    assert session.cell_list([0, 5], "paraview") == "isin(id, [0, 5])\n"
     with pytest.raises(HexaLabError, match="expected one of list, elset, gmsh, paraview"):
         session.cell_list([0], "nastran")
 
