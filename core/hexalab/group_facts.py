@@ -15,6 +15,9 @@ from .groups import DIMENSIONS, Group
 from .mesh import Mesh
 from .topology import Topology
 
+MOST_PAIRS = 4_000_000
+"""Of so many possible pairs of groups those that meet are counted in a table."""
+
 KINDS_OF_GROUP = {"cell": "cells", "vertex": "vertices"}
 """What the members of groups are, in facts."""
 
@@ -122,20 +125,38 @@ def interfaces(grouping: Grouping, topology: Topology) -> dict[tuple[int, int], 
         Rows of the faces for each pair of groups that meet, the places of both among the groups, the smaller first;
         -1 stands for cells in no group.
     """
-    labels, faces = grouping.labels, topology.faces
-    left, right = labels[faces.cells[0, : faces.paired]], labels[faces.cells[1, : faces.paired]]
-    rows = np.flatnonzero(left != right)
+    rows, keys, count = _parting(grouping, topology)
     if not len(rows):
         return {}
-    one, other = np.minimum(left[rows], right[rows]), np.maximum(left[rows], right[rows])
-    count = len(grouping.groups) + 1
-    keys = (one.astype(np.int64) + 1) * count + other + 1
     order = np.argsort(keys, kind="stable")
     found, starts = np.unique(keys[order], return_index=True)
     return {
         (key // count - 1, key % count - 1): rows[part]
         for key, part in zip(found.tolist(), np.split(order, starts[1:]), strict=True)
     }
+
+
+def meeting(grouping: Grouping, topology: Topology) -> list[tuple[int, int]]:
+    """Pairs of groups that have a face in common, as in `interfaces`, without the faces."""
+    _, keys, count = _parting(grouping, topology)
+    few = count * count < MOST_PAIRS
+    found = np.flatnonzero(np.bincount(keys, minlength=1)) if few else np.unique(keys)
+    return [(key // count - 1, key % count - 1) for key in found.tolist()]
+
+
+def _parting(grouping: Grouping, topology: Topology) -> tuple[NDArray[np.intp], Array, int]:
+    """Rows of the faces between cells of different labels, a key of each pair, and what keys are made with.
+
+    A pair's key is the smaller label, times the count, plus the larger one, both counted from 1 on. Keys are short
+    where they can be: short numbers are sorted by their digits, in one pass.
+    """
+    labels, faces = grouping.labels, topology.faces
+    left, right = labels[faces.cells[0, : faces.paired]], labels[faces.cells[1, : faces.paired]]
+    rows = np.flatnonzero(left != right)
+    one, other = np.minimum(left[rows], right[rows]), np.maximum(left[rows], right[rows])
+    count = len(grouping.groups) + 1
+    short = np.uint16 if count * count < 2**16 else np.int64
+    return rows, ((one + 1).astype(np.int64) * count + other + 1).astype(short), count
 
 
 def all_groups(mesh: Mesh) -> list[dict[str, Any]]:

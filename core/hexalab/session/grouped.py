@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ..arrays import Array, Ids
 from ..contacts import contacts
 from ..errors import HexaLabError
-from ..group_facts import interfaces, listed_groups
+from ..group_facts import interfaces, listed_groups, meeting
 from ..grouping import Grouping, groupings, groups_of
 from ..groups import Group
 from ..mesh import Mesh
@@ -86,7 +86,7 @@ class GroupBook:
         """Colour of each group of an origin, (G,): those that meet have different ones as far as colours go."""
         if origin not in self._colours:
             grouping = self.grouping(origin)
-            pairs = [pair for pair in self.interfaces(origin) if pair[0] >= 0]
+            pairs = [pair for pair in meeting(grouping, self._mesh.topology) if pair[0] >= 0]
             self._colours[origin] = apart(len(grouping.groups), pairs, GROUP_COLOURS)
         return self._colours[origin]
 
