@@ -1,0 +1,167 @@
+"""The pictures of a report: what each shows, as settings for the viewer, and what stands below it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import product
+from typing import Any
+
+import numpy as np
+
+from ..arrays import Array, Floats
+from ..mesh import Mesh, cell_barycentres
+from ..numbering import cell_numbers
+from ..quality.measures import worst_first
+from ..status import DEFAULTS, merge
+from ..status.views import Vector, View
+from ..surface.frame import Frame
+from ..words import number
+
+WIDTH, HEIGHT = 1080, 720
+"""Of each picture, in pixels."""
+
+MIDDLE = 0.5
+"""How far the cut goes in."""
+
+ROOM = 1.1
+"""Distance of the eye from a cell and its neighbours, as a multiple of that from which they just fill the picture."""
+
+COLOURED = {"by": "quality", "metric": "scaled_jacobian"}
+FIGURE = {
+    "unit": "px", "width": WIDTH, "height": HEIGHT, "letters": 9, "margin": 4, "scale_bar": True, "axes": True,
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Pose:
+    """A picture that is to be taken.
+
+    Parameters
+    ----------
+    title : str
+        What stands below it.
+    alt : str
+        What is seen, for those who don't see it.
+    status : dict
+        All settings of the figure, but for mesh, version and unit.
+    """
+
+    title: str
+    alt: str
+    status: dict[str, Any]
+
+
+@dataclass(frozen=True)
+class ReportPicture:
+    """A picture that was taken.
+
+    Parameters
+    ----------
+    title, alt : str
+        As its pose has them.
+    address : str
+        Where it lies, or itself as a data URI.
+    """
+
+    title: str
+    alt: str
+    address: str
+
+
+def poses(mesh: Mesh, frame: Frame, view: View, scaled_jacobian: Floats, unit: str) -> list[Pose]:
+    """The pictures of a report: the whole, a cut through the middle, the worst cell among its neighbours.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    frame : Frame
+        That it is drawn by.
+    view : View
+        That it opens under.
+    scaled_jacobian : (C,) float64
+    unit : str
+        Of length.
+    """
+    if not mesh.cell_count:
+        return []
+    camera = {"camera": view.camera, "unit": unit}
+    cut = {"filters": view.slice(MIDDLE), "colour": COLOURED, "figure": {"legend": "bar"}}
+    found = [
+        Pose("The mesh as it opens.", "The whole mesh, seen three quarters from above.", _status(camera)),
+        Pose(
+            "Cut through the middle, coloured by Scaled Jacobian.",
+            "The mesh without the half before a plane through its middle; colours tell the Scaled Jacobian.",
+            _status(camera, cut),
+        ),
+    ]
+    for cell in worst_first(scaled_jacobian, low_is_worst=True, count=1).tolist():
+        name = int(cell_numbers(mesh, [cell])[0])
+        found.append(
+            Pose(
+                f"Cell {name}, the worst by Scaled Jacobian ({number(float(scaled_jacobian[cell]))}), among its "
+                "neighbours; those before it are left out.",
+                f"Cell {name} and the cells beside and behind it; colours tell the Scaled Jacobian.",
+                _status({"unit": unit}, cut, _close_up(mesh, frame, view, cell)),
+            )
+        )
+    return found
+
+
+def _status(*parts: dict[str, Any]) -> dict[str, Any]:
+    """The default settings with some others laid over; nothing of what was set by hand."""
+    status = merge(DEFAULTS, {"figure": FIGURE})
+    for part in parts:
+        status = merge(status, part)
+    return {name: part for name, part in status.items() if name not in ("mesh", "version")}
+
+
+def _close_up(mesh: Mesh, frame: Frame, view: View, cell: int) -> dict[str, Any]:
+    """A cell before those of its neighbours that don't hide it."""
+    around = _around(mesh, cell)
+    centres = cell_barycentres(mesh.coordinates, mesh.corners[:, around], mesh.kinds[around])
+    own = centres[:, np.flatnonzero(around == cell)[0]]
+    beside = mesh.topology.neighbours_of(np.array([cell]))[:, 0]
+    joined = centres[:, np.isin(around, beside)] - own[:, None]
+    direction = _side(view.direction, joined)
+    depth = (np.array(direction)[:, None] * (centres - own[:, None])).sum(axis=0)
+    shown = around[(depth >= -1e-9 * frame.diagonal) | (around == cell)]
+    points = mesh.coordinates[:, np.unique(mesh.corners[:, shown])]
+    middle = points.min(axis=1) / 2 + points.max(axis=1) / 2
+    radius = float(np.sqrt(((points - middle[:, None]) ** 2).sum(axis=0)).max()) / frame.diagonal
+    half = np.radians(DEFAULTS["camera"]["field_of_view"] / 2)
+    return {
+        "camera": {
+            "fit": False,
+            "target": ((middle - frame.centre) / frame.diagonal).tolist(),
+            "direction": list(direction),
+            "up": list(view.up),
+            "distance": max(ROOM * radius / float(np.sin(half)), 1e-9),
+        },
+        "filters": {
+            "planes": {"items": []},
+            "picking": {"isolated": True, "shown": shown.tolist()},
+        },
+        "silhouette": 0,
+    }
+
+
+def _around(mesh: Mesh, cell: int) -> Array:
+    """Rows of the cells that share a vertex with one, itself among them, rising."""
+    own = np.zeros(mesh.vertex_count, dtype=bool)
+    own[mesh.corners[:, cell]] = True
+    around = np.zeros(mesh.cell_count, dtype=bool)
+    for corner in mesh.corners:
+        around |= own[corner]
+    return np.flatnonzero(around)
+
+
+def _side(direction: Vector, joined: Floats) -> Vector:
+    """Of a direction and its mirror images the one before which the fewest neighbours lie.
+
+    A cell at the boundary is seen from outside. `joined`, (3, n), goes from the cell to the neighbours that share a
+    face with it.
+    """
+    x, y, z = direction
+    sides = [(x * a, y * b, z * c) for c, b, a in product((1, -1), repeat=3)]
+    before = [np.count_nonzero((np.array(side)[:, None] * joined).sum(axis=0) < 0) for side in sides]
+    return sides[int(np.argmin(before))]
