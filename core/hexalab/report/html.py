@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import hashlib
+import re
 from collections.abc import Sequence
 from html import escape
 from typing import Any, NamedTuple
@@ -113,13 +114,23 @@ def _cells(columns: Sequence[Column], row: Sequence[str]) -> str:
     """The cells of a row; the first column that is no state heads it."""
     out, headed = [], False
     for column, text in zip(columns, row, strict=True):
-        kind = f"state {STATES.get(text.split()[-1], '')}".rstrip() if column.kind == STATE else column.kind
+        kind = f"state {_state(text, row)}".rstrip() if column.kind == STATE else column.kind
         if column.kind != STATE and not headed:
             headed = True
             out.append(f'<th scope="row" class="{kind}">{escape(text)}</th>')
         else:
-            out.append(f'<td class="{kind}">{escape(text)}</td>')
+            out.append(f'<td class="{kind}">{TOGETHER.sub(WHOLE, escape(text))}</td>')
     return "".join(out)
+
+
+TOGETHER = re.compile(r"-?\d+ \([^()]*\)")
+WHOLE = r'<span class="whole">\g<0></span>'
+"""A cell's number and its value stay in one line."""
+
+
+def _state(text: str, row: Sequence[str]) -> str:
+    """The class of a state; none where no cell is in it."""
+    return "" if row[1] == "0" else STATES.get(text.split()[-1], "")
 
 
 STATES = {

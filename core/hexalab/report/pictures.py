@@ -7,18 +7,15 @@ from itertools import product
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..arrays import Array, Floats
 from ..mesh import Mesh, cell_barycentres
 from ..numbering import cell_numbers
-from ..quality.measures import worst_first
 from ..status import DEFAULTS, merge
 from ..status.views import Vector, View
 from ..surface.frame import Frame
 from ..words import number
-
-WIDTH, HEIGHT = 1080, 720
-"""Of each picture, in pixels."""
 
 MIDDLE = 0.5
 """How far the cut goes in."""
@@ -26,10 +23,16 @@ MIDDLE = 0.5
 ROOM = 1.1
 """Distance of the eye from a cell and its neighbours, as a multiple of that from which they just fill the picture."""
 
-COLOURED = {"by": "quality", "metric": "scaled_jacobian"}
+COLOURED = {
+    "colour": {"by": "quality", "metric": "scaled_jacobian"},
+    "lighting": {"shade": 0.5},
+    "figure": {"legend": "bar"},
+}
 FIGURE = {
-    "unit": "px", "width": WIDTH, "height": HEIGHT, "letters": 9, "margin": 4, "scale_bar": True, "axes": True,
+    "unit": "mm", "width": 90, "height": 60, "resolution": 300, "letters": 7, "margin": 2, "scale_bar": True,
+    "axes": True,
 }  # fmt: skip
+"""As large on every screen."""
 
 
 @dataclass(frozen=True)
@@ -68,7 +71,9 @@ class ReportPicture:
     address: str
 
 
-def poses(mesh: Mesh, frame: Frame, view: View, scaled_jacobian: Floats, unit: str) -> list[Pose]:
+def poses(
+    mesh: Mesh, frame: Frame, view: View, scaled_jacobian: Floats, volume: Floats, unit: str
+) -> list[Pose]:
     """The pictures of a report: the whole, a cut through the middle, the worst cell among its neighbours.
 
     Parameters
@@ -78,30 +83,32 @@ def poses(mesh: Mesh, frame: Frame, view: View, scaled_jacobian: Floats, unit: s
         That it is drawn by.
     view : View
         That it opens under.
-    scaled_jacobian : (C,) float64
+    scaled_jacobian, volume : (C,) float64
     unit : str
         Of length.
     """
     if not mesh.cell_count:
         return []
     camera = {"camera": view.camera, "unit": unit}
-    cut = {"filters": view.slice(MIDDLE), "colour": COLOURED, "figure": {"legend": "bar"}}
+    cut = {"filters": view.slice(MIDDLE)}
     found = [
         Pose("The mesh as it opens.", "The whole mesh, seen three quarters from above.", _status(camera)),
         Pose(
             "Cut through the middle, coloured by Scaled Jacobian.",
             "The mesh without the half before a plane through its middle; colours tell the Scaled Jacobian.",
-            _status(camera, cut),
+            _status(camera, COLOURED, cut),
         ),
     ]
-    for cell in worst_first(scaled_jacobian, low_is_worst=True, count=1).tolist():
-        name = int(cell_numbers(mesh, [cell])[0])
+    cell = _worst(mesh, scaled_jacobian, volume)
+    if cell is not None:
+        name, value = int(cell_numbers(mesh, [cell])[0]), float(scaled_jacobian[cell])
+        told = number(value) if np.isfinite(value) else "not finite"
         found.append(
             Pose(
-                f"Cell {name}, the worst by Scaled Jacobian ({number(float(scaled_jacobian[cell]))}), among its "
-                "neighbours; those before it are left out.",
+                f"Cell {name}, the worst by Scaled Jacobian ({told}), among its neighbours; "
+                "those before it are left out.",
                 f"Cell {name} and the cells beside and behind it; colours tell the Scaled Jacobian.",
-                _status({"unit": unit}, cut, _close_up(mesh, frame, view, cell)),
+                _status({"unit": unit}, COLOURED, _close_up(mesh, frame, view, cell)),
             )
         )
     return found
@@ -113,6 +120,30 @@ def _status(*parts: dict[str, Any]) -> dict[str, Any]:
     for part in parts:
         status = merge(status, part)
     return {name: part for name, part in status.items() if name not in ("mesh", "version")}
+
+
+def _worst(mesh: Mesh, scaled_jacobian: Floats, volume: Floats) -> int | None:
+    """The row of the worst cell that can be drawn: what is not finite is worse than anything, then volume tells."""
+    rows = np.flatnonzero(_drawable(mesh))
+    if not len(rows):
+        return None
+    lowest = rows[_least(scaled_jacobian[rows])]
+    return int(lowest[_least(volume[lowest])[0]])
+
+
+def _drawable(mesh: Mesh) -> NDArray[np.bool_]:
+    """(C,) bool: whether all corners of a cell have finite coordinates."""
+    finite = np.isfinite(mesh.coordinates[0] + mesh.coordinates[1] + mesh.coordinates[2])
+    out = np.ones(mesh.cell_count, dtype=bool)
+    for corner in mesh.corners:
+        out &= finite[corner]
+    return out
+
+
+def _least(values: Floats) -> Array:
+    """Places of the least values; of those that are not finite, where there are any."""
+    odd = np.flatnonzero(~np.isfinite(values))
+    return odd if len(odd) else np.flatnonzero(values == values.min())
 
 
 def _close_up(mesh: Mesh, frame: Frame, view: View, cell: int) -> dict[str, Any]:
@@ -142,17 +173,19 @@ def _close_up(mesh: Mesh, frame: Frame, view: View, cell: int) -> dict[str, Any]
             "picking": {"isolated": True, "shown": shown.tolist()},
         },
         "silhouette": 0,
+        "irregular": {"mode": 0},
+        "marks": {"corners": False, "edges": False},
     }
 
 
 def _around(mesh: Mesh, cell: int) -> Array:
-    """Rows of the cells that share a vertex with one, itself among them, rising."""
+    """Rows of the cells that share a vertex with one, itself among them, rising; those that can be drawn."""
     own = np.zeros(mesh.vertex_count, dtype=bool)
     own[mesh.corners[:, cell]] = True
     around = np.zeros(mesh.cell_count, dtype=bool)
     for corner in mesh.corners:
         around |= own[corner]
-    return np.flatnonzero(around)
+    return np.flatnonzero(around & _drawable(mesh))
 
 
 def _side(direction: Vector, joined: Floats) -> Vector:

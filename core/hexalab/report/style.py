@@ -20,9 +20,9 @@ a { color: var(--accent); }
 .verdict strong { font-size: 20px; }
 .verdict span { color: var(--ink); }
 .passed { color: var(--good); } .missed, .error { color: var(--invalid); } .warning { color: var(--warning); }
-dl { display: grid; grid-template-columns: max-content 1fr; gap: 0 20px; margin: 0; }
+dl { display: grid; grid-template-columns: max-content 1fr; margin: 0; }
 dt, dd { padding: 4px 0; border-top: 1px solid var(--hairline); margin: 0; }
-dt { color: var(--quiet); } dd { overflow-wrap: anywhere; font-variant-numeric: tabular-nums; }
+dt { color: var(--quiet); padding-right: 24px; } dd { overflow-wrap: anywhere; font-variant-numeric: tabular-nums; }
 dt:first-of-type, dd:first-of-type { border-top: 0; }
 .hash { font-family: ui-monospace, monospace; font-size: 13px; }
 .scroll { overflow-x: auto; position: relative; }
@@ -33,7 +33,7 @@ th, td { padding: 5px 12px 5px 0; text-align: left; vertical-align: top; border-
 thead th { color: var(--quiet); border-top: 0; vertical-align: bottom; }
 th:last-child, td:last-child { padding-right: 0; }
 .number { text-align: right; white-space: nowrap; }
-.state { white-space: nowrap; }
+.state, .whole { white-space: nowrap; }
 .name { min-width: 9em; overflow-wrap: anywhere; }
 .words { min-width: 15em; overflow-wrap: anywhere; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 310px), 1fr)); gap: 16px; }

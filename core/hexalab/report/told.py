@@ -239,6 +239,6 @@ def _valences(counts: dict[str, int]) -> str:
 
 
 def _layers(per_depth: list[int]) -> str:
-    told = " ".join(count(many) for many in per_depth[:LAYERS_TOLD])
+    told = "; ".join(count(many) for many in per_depth[:LAYERS_TOLD])
     more = len(per_depth) - LAYERS_TOLD
     return f"{told} and {counted(more, 'layer')} more" if more > 0 else told or "none"

@@ -57,5 +57,6 @@ def report_of(
 def poses_of(opened: Opened, unit: str) -> list[dict[str, Any]]:
     """The pictures that a report asks for: `title`, `alt`, `status` of each; see `hexalab.report.poses`."""
     view = View(**{name: tuple(vector) for name, vector in opened.placed["view"].items()})
-    found = poses(opened.mesh, opened.drawn_mesh.frame, view, opened.values("scaled_jacobian"), unit)
+    quality, volume = opened.values("scaled_jacobian"), opened.values("volume")
+    found = poses(opened.mesh, opened.drawn_mesh.frame, view, quality, volume, unit)
     return [asdict(pose) for pose in found]

@@ -64,7 +64,7 @@ class Page(HTMLParser):
         if "style" in self.open:
             return
         self.words += data
-        if self.rows and self.open and self.open[-1] in ("td", "th"):
+        if {"td", "th"} & set(self.open):
             self.rows[-1][-1] += data
 
 

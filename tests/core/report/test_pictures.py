@@ -60,6 +60,19 @@ def test_the_worst_cell_stands_before_its_neighbours(cell: int) -> None:
     assert status["camera"]["distance"] * mesh.diagonal * np.sin(half) == pytest.approx(1.1 * reach)
 
 
+def test_what_is_not_finite_is_worst_and_what_can_not_be_drawn_is_passed_over() -> None:
+    points, cells = grid_points((5, 1, 1))
+    cells[1, 4:] = cells[1, :4]  # flat: its Scaled Jacobian is not finite
+    cells[3, :4], cells[3, 4:] = cells[3, 4:].copy(), cells[3, :4].copy()
+    title = str(asked(medit(points, cells))[2]["title"])
+    assert title.startswith("Cell 2, the worst by Scaled Jacobian (not finite)")
+    points[11] = np.nan
+    mesh = Mesh.from_cells(points, grid_points((5, 1, 1))[1])
+    session = Session({"odd": lambda: mesh})
+    session.open_offered("odd")
+    assert str(session.report_poses()[2]["title"]).startswith("Cell 0, the worst by Scaled Jacobian (1.000)")
+
+
 def test_a_mesh_of_nothing_has_no_pictures() -> None:
     session = Session({"nothing": lambda: EMPTY})
     session.open_offered("nothing")
