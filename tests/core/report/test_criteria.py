@@ -44,6 +44,8 @@ criteria:
   - finding: components
     at_most: 2
     """
+EXAMPLES = Path(__file__).resolve().parents[3] / "docs" / "examples"
+
 READ = [
     MetricCriterion("scaled_jacobian", 0.2, None, 0.01, "STEEL"),
     MetricCriterion("volume", 0.001, 2),
@@ -61,6 +63,12 @@ def test_yaml_and_json_say_the_same(tmp_path: Path) -> None:
     (tmp_path / "criteria.json").write_text(json.dumps(document))
     assert read_criteria(tmp_path / "criteria.json") == READ
     assert checked(document["criteria"]) == READ, "the list alone"
+
+
+def test_the_example_is_read() -> None:
+    needs("yaml")
+    found = read_criteria(EXAMPLES / "criteria.yaml")
+    assert len(found) == 7 and found[-1] == FindingCriterion("components", 1)
 
 
 def test_without_pyyaml_json_is_read_and_yaml_says_what_to_install(
