@@ -87,7 +87,7 @@ def group_measures(
     if not len(full):
         return out
     members = np.concatenate([groups[place].members for place in full])
-    starts = np.append(0, np.cumsum(sizes[full])[:-1])
+    starts = np.append(0, np.cumsum(sizes[full])[:-1]).astype(np.intp)  # of 32 bits in a browser
     volumes = _sums(volume[members], starts)[0]
     quality = scaled_jacobian[members]
     finite = np.isfinite(quality)
@@ -132,6 +132,8 @@ def interfaces(grouping: Grouping, topology: Topology) -> dict[tuple[int, int], 
     labels, faces = grouping.labels, topology.faces
     left, right = labels[faces.cells[0, : faces.paired]], labels[faces.cells[1, : faces.paired]]
     rows = np.flatnonzero(left != right)
+    if not len(rows):
+        return {}
     one, other = np.minimum(left[rows], right[rows]), np.maximum(left[rows], right[rows])
     count = len(grouping.groups) + 1
     keys = (one.astype(np.int64) + 1) * count + other + 1

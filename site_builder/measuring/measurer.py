@@ -72,6 +72,10 @@ class Measurer:
         return self._cache / what.split(".")[0] / f"{key}-{self._version}.{what}"
 
 
+OWN = frozenset(("file", "groups", "features"))
+"""Facts of a summary that the catalogue does not tell: they are for whoever works with the file."""
+
+
 def measure(data: bytes, name: str) -> Facts:
     """The facts of a mesh file's bytes."""
     mesh = turn_round(read_bytes(data, name))
@@ -93,7 +97,7 @@ def measure(data: bytes, name: str) -> Facts:
         validity=_validity(mesh),
         histogram=_histogram(finite),
         notes=list(mesh.notes),
-        **{key: _valences(key, value) for key, value in summary.items() if key not in ("file",)},
+        **{key: _valences(key, value) for key, value in summary.items() if key not in OWN},
     )
 
 

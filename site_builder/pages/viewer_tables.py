@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import Any, TypedDict
 
-from hexalab import __version__
+from hexalab import LIST_FORMS, __version__
 from hexalab.formats import FORMATS, WRITERS
 from hexalab.quality import METRICS
 from hexalab.session import DESCRIBED
@@ -49,6 +49,13 @@ class WriterEntry(TypedDict):
     extension: str
 
 
+class ListFormEntry(TypedDict):
+    """What the viewer knows of a form that cells are copied in."""
+
+    id: str
+    name: str
+
+
 class ViewerTables(TypedDict):
     """What the page carries of the core's tables, in the core's order.
 
@@ -67,6 +74,7 @@ class ViewerTables(TypedDict):
     metrics: list[MetricEntry]
     formats: list[FormatEntry]
     writers: list[WriterEntry]
+    list_forms: list[ListFormEntry]
 
 
 def viewer_tables() -> ViewerTables:
@@ -99,6 +107,7 @@ def viewer_tables() -> ViewerTables:
         ],
         "formats": [{"id": one.id, "name": one.name, "extensions": list(one.extensions)} for one in FORMATS],
         "writers": [{"id": one.id, "name": one.name, "extension": one.extension} for one in WRITERS],
+        "list_forms": [{"id": one.id, "name": one.name} for one in LIST_FORMS],
     }
 
 

@@ -202,7 +202,7 @@ class Session:
             `shown_cells`, `shown_faces`, `max_depth` (None until it is known), `plane_ranges` (extent of the
             barycentres along each plane's normal, in drawing coordinates), `pending` (records that wait for
             `describe`), `timings` (ms), and of the records `surface`, `silhouette`, `see_through`, `irregular`,
-            `arrows`, `colour` those that changed.
+            `arrows`, `marks`, `colour` those that changed.
 
         Raises
         ------
@@ -311,6 +311,10 @@ class Session:
         rows: list[Result] = jsonable(self._open_mesh().group_table())
         return rows
 
+    def interfaces(self, origin: str) -> list[Result]:
+        """Tell where the groups of an origin meet; see `grouped.GroupBook.interface_table`."""
+        return self._open_mesh().groups.interface_table(origin)
+
     def validity(self) -> Result:
         """Return how many cells are certified valid, invalid or undecided, and which are invalid."""
         found = self._open_mesh().validity
@@ -373,11 +377,7 @@ class Session:
 
     def finding_cells(self, finding: str) -> NDArray[np.uint32]:
         """Return the cells that a finding of the diagnosis concerns, or those around its vertices."""
-        opened = self._open_mesh()
-        for found in opened.findings:
-            if found.id == finding:
-                return inspection.cells_of(opened.mesh, found)
-        raise HexaLabError(f"the diagnosis found no {finding!r}")
+        return inspection.finding_cells(self._open_mesh(), finding)
 
     # -- within
 

@@ -32,6 +32,7 @@ METHODS = (
     "worst",
     "values",
     "group_table",
+    "interfaces",
     "validity",
     "numbers",
     "find",

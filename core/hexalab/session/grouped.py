@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import Array, Ids
+from ..contacts import contacts
 from ..errors import HexaLabError
 from ..group_facts import interfaces, listed_groups
 from ..grouping import Grouping, groupings, groups_of
@@ -17,6 +18,9 @@ from ..mesh import Mesh
 
 GROUP_COLOURS = 12
 """The viewer's palette of groups has so many colours before it begins again."""
+
+PAIR_COLOURS = 6
+"""So many colours the viewer has for faces between groups; `marked` counts on."""
 
 NO_ROWS = np.zeros(0, dtype=np.int32)
 
@@ -85,6 +89,33 @@ class GroupBook:
             pairs = [pair for pair in self.interfaces(origin) if pair[0] >= 0]
             self._colours[origin] = apart(len(grouping.groups), pairs, GROUP_COLOURS)
         return self._colours[origin]
+
+    def interface_table(self, origin: str) -> list[dict[str, Any]]:
+        """Tell where the groups of an origin meet.
+
+        Returns
+        -------
+        list of dict
+            For each pair `groups` (two ids; None stands for cells in no group), `faces` (those that both share),
+            `apart` (faces of the one that lie on the other
+            and are not joined to it; see `hexalab.contacts`), `colour` of the faces.
+        """
+        grouping, shared = self.grouping(origin), self.interfaces(origin)
+        apart_too = contacts(self._mesh, grouping.labels)
+        colours = {pair: place % PAIR_COLOURS for place, pair in enumerate(shared)}
+
+        def name(place: int) -> str | None:
+            return grouping.groups[place].id if place >= 0 else None
+
+        return [
+            {
+                "groups": [name(place) for place in pair],
+                "faces": len(shared.get(pair, ())),
+                "apart": apart_too.get(pair, 0),
+                "colour": colours.get(pair),
+            }
+            for pair in dict.fromkeys([*shared, *apart_too])
+        ]
 
     def listed(self) -> list[dict[str, Any]]:
         """What groups there are; see `hexalab.group_facts.listed_groups`."""

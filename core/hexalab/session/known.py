@@ -46,6 +46,8 @@ def checked(partial: Partial, opened: Opened | None) -> tuple[Partial, list[Reje
         out["colour"] = _colour(dict(out["colour"]), opened, rejections)
     if "arrows" in out:
         out["arrows"] = _arrows(dict(out["arrows"]), opened, rejections)
+    if "marks" in out:
+        out["marks"] = _marks(dict(out["marks"]), opened, rejections)
     if "filters" in out:
         out["filters"] = dict(out["filters"])
         for name, check in (("quality", _bands), ("groups", _groups), ("picking", _cells)):
@@ -86,6 +88,22 @@ def _groups(groups: Partial, opened: Opened | None, rejections: list[Rejection])
                 rejections.append(_unknown(f"filters.groups.{name}", id, opened.groups.of_cells))
         groups[name] = kept
     return groups
+
+
+def _marks(marks: Partial, opened: Opened | None, rejections: list[Rejection]) -> Partial:
+    if not opened:
+        return marks
+    known = {"hidden": opened.marks.ids(), "nodes": set(opened.groups.of_vertices)}
+    for name, ids in known.items():
+        asked = marks.get(name)
+        if asked:
+            marks[name] = [id for id in asked if id in ids]
+            rejections += [_unknown(f"marks.{name}", id, sorted(ids)) for id in asked if id not in ids]
+    origin = marks.get("interfaces")
+    if origin and origin not in opened.groups.groupings:
+        rejections.append(_unknown("marks.interfaces", origin, opened.groups.groupings))
+        del marks["interfaces"]
+    return marks
 
 
 def _arrows(arrows: Partial, opened: Opened | None, rejections: list[Rejection]) -> Partial:

@@ -11,15 +11,16 @@ from numpy.typing import NDArray
 
 from ..arrays import Array, Ids
 from ..diagnosis import held_features
+from ..group_facts import listed_features
 from ..grouping import Grouping, feature_groups
 from ..groups import Features, Group
 from ..surface import DrawnMesh, sharp_edges
 from ..surface.flat import interleave
 from ..surface.records import Bytes, Marks
 from ..topology.lookup import sides_of
-from .grouped import GroupBook
+from .grouped import PAIR_COLOURS, GroupBook
 
-MARK_COLOURS = 6
+MARK_COLOURS = PAIR_COLOURS
 """The viewer's palette of marks has so many colours before it begins again."""
 
 PLAIN, LOST = 6, 7
@@ -101,6 +102,25 @@ class MarkBook:
         mesh = self._drawn_mesh.whole
         return sides_of(mesh.corners, mesh.vertex_count, self.features["faces"].features.corners)[0]
 
+    def wanted(self, settings: dict[str, Any]) -> bool:
+        """Whether settings ask for anything that this mesh has."""
+        features = any(settings[part.called] for part in self._drawn_mesh.whole.features)
+        sharp = settings["sharp_angle"] < MOST_ANGLE
+        return bool(features or sharp or settings["nodes"] or settings["interfaces"])
+
+    def listed(self) -> dict[str, dict[str, Any]]:
+        """What features there are; see `hexalab.group_facts.listed_features`; with the `colour` of each group.
+
+        It is None of groups that none are coloured by.
+        """
+        facts = listed_features(self._drawn_mesh.whole)
+        for name, drawn in self.features.items():
+            coloured = {group.id: place for place, group in enumerate(drawn.colouring.groups)}
+            for row in facts[name]["groups"]:
+                place = coloured.get(row["id"])
+                row["colour"] = None if place is None else place % MARK_COLOURS
+        return facts
+
     def ids(self) -> set[str]:
         """Ids of all groups of features, behind what they are of: "edges:reference:5"."""
         return {f"{name}:{group.id}" for name, drawn in self.features.items() for group in drawn.groups}
@@ -116,6 +136,13 @@ class MarkBook:
         edges: list[tuple[Array, Bytes]] = []
         points: list[tuple[Array, Bytes]] = []
         counts: dict[str, int] = {}
+        sharp = settings["sharp_angle"]
+        if sharp < MOST_ANGLE:
+            near = self._near(shown) if near is None else near
+            found = self._sharp(sharp)
+            found = found[:, near[found].all(axis=0)]
+            edges.append((found, np.full(found.shape[1], PLAIN, dtype=np.uint8)))
+            counts["sharp"] = found.shape[1]
         for name in KINDS:
             if not settings[name] or name not in self.features:
                 continue
@@ -132,13 +159,6 @@ class MarkBook:
                 (corners[:, which], drawn.colours[which])
             )
             counts[name] = len(which)
-        sharp = settings["sharp_angle"]
-        if sharp < MOST_ANGLE:
-            near = self._near(shown) if near is None else near
-            found = self._sharp(sharp)
-            found = found[:, near[found].all(axis=0)]
-            edges.append((found, np.full(found.shape[1], PLAIN, dtype=np.uint8)))
-            counts["sharp"] = found.shape[1]
         for place, id in enumerate(settings["nodes"]):
             group = self._groups.of_vertices.get(id)
             if group is not None:
@@ -146,7 +166,7 @@ class MarkBook:
                 points.append((group.members[None], colour))
                 counts["nodes"] = counts.get("nodes", 0) + group.count
         if settings["interfaces"] in self._groups.groupings:
-            corners, colours = self._interface_faces(settings["interfaces"])
+            corners, colours = self._interface_faces(settings["interfaces"], shown)
             faces.append((corners, colours))
             counts["interfaces"] = len(colours)
         return self._record(faces, edges, points, counts)
@@ -166,13 +186,15 @@ class MarkBook:
         """(2, n) edges of the boundary whose faces meet at more than an angle."""
         return sharp_edges(self._drawn_mesh.mesh, degrees)
 
-    def _interface_faces(self, origin: str) -> tuple[Ids, Bytes]:
-        """(4, n) faces between groups of an origin, and the colour of each pair of groups."""
+    def _interface_faces(self, origin: str, shown: NDArray[np.bool_]) -> tuple[Ids, Bytes]:
+        """(4, n) faces between groups of an origin that a shown cell has, and the colour of each pair of groups."""
         topology = self._drawn_mesh.whole.topology
         found = self._groups.interfaces(origin)
         rows = np.concatenate([np.zeros(0, dtype=np.intp), *found.values()])
         sizes = [len(some) for some in found.values()]
         colours = np.repeat(np.arange(len(found)) % MARK_COLOURS, sizes).astype(np.uint8)
+        seen = shown[topology.face_cells[:, rows]].any(axis=0)
+        rows, colours = rows[seen], colours[seen]
         return topology.corners_of(topology.face_cells[0, rows], topology.face_locals[0, rows]), colours
 
     def _record(

@@ -15,7 +15,7 @@ from ..diagnosis import Finding, diagnose
 from ..errors import HexaLabError
 from ..filters.plane import unit
 from ..filters.stack import FilterStack
-from ..group_facts import group_measures, listed_features
+from ..group_facts import group_measures
 from ..mesh import Mesh
 from ..quality import METRICS, Validity, certify, quality, statistics
 from ..status import OpenMesh
@@ -32,6 +32,7 @@ from ..surface import (
 )
 from ..topology.shapes import SHAPES, shapes
 from .grouped import GroupBook
+from .marked import MarkBook
 from .mean_volumes import MeanVolumes
 
 DESCRIBED = ("groups", *STRUCTURE, "shapes", "parts", "findings")
@@ -78,9 +79,9 @@ class Opened:
         return GroupBook(self.mesh)
 
     @cached_property
-    def features(self) -> dict[str, dict[str, Any]]:
-        """What features there are; see `hexalab.group_facts.listed_features`."""
-        return listed_features(self.mesh)
+    def marks(self) -> MarkBook:
+        """What can be drawn over the surface."""
+        return MarkBook(self.drawn_mesh, self.groups)
 
     @cached_property
     def attributes(self) -> dict[str, Attribute]:
@@ -163,7 +164,7 @@ class Opened:
             ]
             return {"findings": rows}
         if part == "groups":
-            return {"groups": self.groups.listed(), "features": self.features}
+            return {"groups": self.groups.listed(), "features": self.marks.listed()}
         if part == "shapes":
             counts = np.bincount(self.shapes, minlength=len(SHAPES))
             return {"shapes": {name: int(count) for name, count in zip(SHAPES, counts, strict=True) if count}}

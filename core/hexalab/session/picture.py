@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from time import perf_counter
 from typing import Any
@@ -77,6 +78,11 @@ class Picture:
             self._renew(
                 parts, "arrows", (self._version, attribute, gap), self._extract_arrows, attribute, gap
             )
+        marks = settings["marks"]
+        wanted = self.opened.marks.wanted(marks)
+        if not lean and (wanted or "marks" in self._made):
+            asked = (self._version, json.dumps(marks, sort_keys=True)) if wanted else None
+            self._renew(parts, "marks", asked, self._extract_marks, marks)
         irregular, pending = self._irregular_parts(settings["irregular"])
         if irregular is not None and not pending:
             self._renew(parts, "irregular", irregular, self._extract_irregular, *irregular)
@@ -89,7 +95,7 @@ class Picture:
 
     def forget(self) -> None:
         """Let the next update return every record: what was made last has not come to whoever draws it."""
-        self._made = {}
+        self._made = {"marks": object()}  # those that were switched off have to go, too
 
     def shown_faces(self) -> int:
         """Return the number of faces between shown cells and hidden ones or the outside."""
@@ -132,7 +138,7 @@ class Picture:
     def _colour_by_group(self, origin: str) -> dict[str, Any] | None:
         """Return each cell's colour by its group of an origin, the first one by default; None without groups."""
         book = self.opened.groups
-        origin = origin or next(iter(book.groupings), "")
+        origin = origin if origin in book.groupings else next(iter(book.groupings), "")
         if not origin:
             return None
         grouping, colours = book.grouping(origin), book.colours(origin)
@@ -176,6 +182,9 @@ class Picture:
         if cells != "all":
             hidden &= self.opened.filters.hidden_by(cells, self._filters or {})
         return extract_surface(self.opened.drawn_mesh, hidden, "lines").arrays()
+
+    def _extract_marks(self, marks: Settings) -> dict[str, Any]:
+        return self.opened.marks.marks(marks, self.shown).arrays()
 
     def _extract_arrows(self, attribute: str, gap: float) -> dict[str, Any]:
         opened = self.opened

@@ -165,9 +165,10 @@ def _kept(places: Floats32, normals: Floats32, apart: float) -> NDArray[np.bool_
     """Which places stay, the best of which stand first: each but those near to a better one that stays."""
     square = np.zeros((places.shape[1],) * 2, np.float32)
     along = np.zeros_like(square)
-    for x, n in zip(places, normals, strict=True):
-        square += (x[:, None] - x) ** 2
-        along += n[:, None] * n
+    with np.errstate(over="ignore"):
+        for x, n in zip(places, normals, strict=True):
+            square += (x[:, None] - x) ** 2
+            along += n[:, None] * n
     near = (square < apart * apart) & (along > OPPOSITE)
     better = np.tril(near, -1)
     kept = np.zeros(len(near), dtype=bool)
@@ -175,5 +176,5 @@ def _kept(places: Floats32, normals: Floats32, apart: float) -> NDArray[np.bool_
     while left.any():
         best = left & ~better[:, left].any(axis=1)
         kept |= best
-        left &= ~near[:, best].any(axis=1)  # each is near to itself
+        left &= ~(best | near[:, best].any(axis=1))
     return kept

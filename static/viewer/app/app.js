@@ -6,6 +6,7 @@ import { Measures } from "./measures.js";
 import { Messages } from "./messages.js";
 import { Figures } from "./figures.js";
 import { Fetching } from "./fetching.js";
+import { Grouped } from "./grouped.js";
 import { Files, foundOf } from "./files.js";
 import { Keeping } from "./keeping.js";
 import { LastFiles } from "./last_files.js";
@@ -69,6 +70,7 @@ export class App {
     this.measures = new Measures(this);
     this.documents = new Documents(this);
     this.cells = new Cells(this);
+    this.grouped = new Grouped(this);
     this.saving = new Saving(this);
     this.fetching = new Fetching(this);
     this.opening = new Opening(this);
@@ -281,6 +283,16 @@ export class App {
   /** @param {number} cell */
   cutTo(cell) {
     return this.cells.cutTo(cell);
+  }
+
+  /** @param {"cell" | "vertex"} kind @param {number} number of the file */
+  goTo(kind, number) {
+    return this.cells.goTo(kind, number);
+  }
+
+  /** @param {readonly number[]} cells rows @param {string} form @param {string} name */
+  listCells(cells, form, name) {
+    return this.cells.list(cells, form, name);
   }
 
   /** @param {import("../state/facts.js").PickingTool} action @param {number} cell */

@@ -85,6 +85,49 @@ export class Cells {
     }
   }
 
+  /**
+   * Go to a cell or a vertex by the number that the file gives it: it is isolated with what lies around it, but for cells that
+   * would hide it from the eye, and flown to; one step of undo leads back.
+   *
+   * @param {"cell" | "vertex"} kind @param {number} number
+   */
+  async goTo(kind, number) {
+    const { client, store, messages, views } = this.#app;
+    try {
+      const found = await client.call("find", [kind, number, store.status.camera.direction]);
+      store.seal();
+      if (found.around.length) store.set({ filters: { picking: isolate(found.around) } }, { undo: FLIGHT });
+      if (found.cell >= 0) await this.inspect(found.cell);
+      if (found.around.length) await views.flyToShown();
+      messages.settle("go");
+      const { length } = found.rows;
+      if (length > 1)
+        messages.say(
+          "note",
+          `${length} ${kind === "cell" ? "elements" : "nodes"} have the number ${number}: this is the first`,
+          {
+            topic: "go",
+          },
+        );
+      else if (found.cell < 0)
+        messages.say("note", `No element has node ${number}: it lies at ${found.place.join(", ")}`, {
+          topic: "go",
+        });
+    } catch (error) {
+      if (!(error instanceof Superseded)) messages.error(error, { topic: "go" });
+    }
+  }
+
+  /** Cells as a text for other programs; null if that failed. @param {readonly number[]} cells rows @param {string} form @param {string} name */
+  async list(cells, form, name) {
+    try {
+      return await this.#app.client.call("cell_list", [cells, form, name]);
+    } catch (error) {
+      this.#app.messages.error(error, { topic: "list" });
+      return null;
+    }
+  }
+
   /** Put the plane at hand through a cell, so that the cut faces the eye. @param {number} cell */
   async cutTo(cell) {
     const { client, store, messages } = this.#app;

@@ -8,7 +8,7 @@ import { normalised } from "../state/vectors.js";
  * @typedef {import("../state/status.js").PartialStatus} PartialStatus
  *
  * @typedef {Partial<Update> & Pick<Update, "shown_cells" | "shown_faces">} Answer  of the core, or a preview
- * @typedef {Pick<Update, "surface" | "silhouette" | "see_through" | "irregular" | "arrows">} Records
+ * @typedef {Pick<Update, "surface" | "silhouette" | "see_through" | "irregular" | "arrows" | "marks">} Records
  */
 
 /**
@@ -128,14 +128,16 @@ export class Drawing {
   #take(answer, same = false) {
     const scene = this.#scene;
     const began = performance.now();
-    const { surface, silhouette, see_through, irregular, arrows } = answer;
-    for (const [kind, record] of Object.entries({ surface, silhouette, see_through, irregular, arrows }))
+    const { surface, silhouette, see_through, irregular, arrows, marks } = answer;
+    const came = { surface, silhouette, see_through, irregular, arrows, marks };
+    for (const [kind, record] of Object.entries(came))
       if (record) this.#records = { ...this.#records, [kind]: record };
     if (answer.surface) scene.setSurface(answer.surface, same);
     if (answer.silhouette) scene.setSilhouette(answer.silhouette);
     if (answer.see_through) scene.setSeeThrough(answer.see_through);
     if (answer.irregular) scene.setIrregular(answer.irregular);
-    if (answer.arrows) scene.setArrows(answer.arrows);
+    if (answer.arrows) scene.setOver("arrows", answer.arrows);
+    if (answer.marks) scene.setOver("marks", answer.marks);
     if (answer.colour !== undefined)
       scene.setCellColours(answer.colour?.map_position ?? null, answer.colour?.high_first ?? false);
     const upload = performance.now() - began;
@@ -144,6 +146,7 @@ export class Drawing {
       ...(answer.colour !== undefined ? { colour: answer.colour } : {}),
       ...(answer.irregular ? { irregular: answer.irregular.counts } : {}),
       ...(answer.arrows ? { arrows: toldOf(answer.arrows) } : {}),
+      ...(answer.marks ? { marks: answer.marks.counts } : {}),
       ...(answer.max_depth !== undefined && answer.max_depth !== null
         ? { layers: answer.max_depth + 1 }
         : {}),

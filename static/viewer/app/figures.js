@@ -6,6 +6,7 @@ import { layOut, wrapped } from "../figure/layout.js";
 import { cutTo, LARGEST } from "../figure/cut.js";
 import { contentOf, cropped, dataAddress, rasterised } from "../figure/raster.js";
 import { writeStatus } from "../files/png_text.js";
+import { groupName, groupsOf, originName } from "../state/groups.js";
 import { KIND_NAMES, KINDS } from "../state/kinds.js";
 import { inOneLine } from "../state/entry.js";
 import { panelsOf } from "../state/panels.js";
@@ -30,6 +31,9 @@ const LOOKED_AT = 480;
 /** Bins of the legend's bar, and of its histogram at most. */
 const STEPS = 128;
 const BARS = 60;
+
+/** Groups that a legend names. */
+const MOST_KEYS = 12;
 
 /** Points to an inch, and pixels of the screen. */
 const POINTS = 72;
@@ -215,6 +219,7 @@ export class Figures {
           { colour: colour.inside, name: "inside" },
         ],
       };
+    if (colour.by === "group") return { title: this.#groupTitle(), colours: this.#groupColours() };
     if (colour.by === "kind" || colour.by === "part")
       return { title: figure.legend_title, colours: this.#categories(colour.by) };
     const quantity = quantityOf(this.#app);
@@ -242,6 +247,32 @@ export class Figures {
       colour: categoryColour("part", part),
       name: `part ${part + 1}`,
     }));
+  }
+
+  #groupTitle() {
+    const { store, facts } = this.#app;
+    return store.status.figure.legend_title || originName(facts.get("colour")?.label ?? "");
+  }
+
+  /** Colours of the groups, the largest first where there are many; what is in none is grey. */
+  #groupColours() {
+    const { store, facts } = this.#app;
+    const drawn = facts.get("colour");
+    const rows = new Map(groupsOf(facts).map((group) => [group.id, group]));
+    const known = (drawn?.groups ?? []).map(({ id, colour }) => ({ colour, group: rows.get(id) }));
+    const most = [...known].sort((a, b) => (b.group?.count ?? 0) - (a.group?.count ?? 0)).slice(0, MOST_KEYS);
+    const keys = known
+      .filter((one) => most.includes(one))
+      .map(({ colour, group }) => ({
+        colour: categoryColour("group", colour),
+        name: group ? groupName(group) : "",
+      }));
+    const more = known.length - keys.length;
+    return [
+      ...keys,
+      ...(more > 0 ? [{ colour: store.status.background, name: `and ${more} more` }] : []),
+      ...(drawn?.without ? [{ colour: store.status.colour.missing, name: "in none" }] : []),
+    ];
   }
 
   /** The mesh and where it comes from, or what was typed. */

@@ -1,4 +1,5 @@
 import { Superseded } from "../core/client.js";
+import { Numbering } from "../state/numbering.js";
 import { quantityOf } from "../state/quantity.js";
 
 /** @typedef {import("../core/types.js").Methods} Methods */
@@ -28,6 +29,8 @@ export class Measures {
 
   async #fill() {
     const { facts, drawing, client, tables } = this.#app;
+    const numbers = await this.#ask("numbers", []);
+    if (numbers) facts.set({ numbering: new Numbering(numbers) });
     await this.#measure();
     const summary = facts.get("summary");
     let describe = 0;

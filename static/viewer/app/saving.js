@@ -96,8 +96,9 @@ export class Saving {
       const { id } = quantityOf(this.#app);
       const length = plainUnitOf(this.#app.store.status, 1);
       const head = ["cell", this.#column, ...["x", "y", "z"].map((axis) => titled(axis, length))];
+      const numbering = this.#app.facts.get("numbering");
       const { cells, values, places } = await this.#app.client.call("worst", [id, LISTED]);
-      const rows = cells.map((cell, row) => [cell, values[row], ...places[row]].join(","));
+      const rows = cells.map((cell, row) => [numbering.of(cell), values[row], ...places[row]].join(","));
       saveFile(csvOf([head.join(","), ...rows]), `${this.stem}-worst-${safe(id)}.csv`);
     });
   }
@@ -107,13 +108,14 @@ export class Saving {
     await this.#tried(async () => {
       const { id } = quantityOf(this.#app);
       const values = await this.#app.client.call("values", [id]);
+      const numbering = this.#app.facts.get("numbering");
       /** @type {string[]} */
       const parts = [];
       for (let first = 0; first < values.length; first += ROWS)
         parts.push(
           Array.from(
             values.subarray(first, first + ROWS),
-            (value, row) => `${first + row},${written(value)}`,
+            (value, row) => `${numbering.of(first + row)},${written(value)}`,
           ).join("\r\n"),
         );
       saveFile(csvOf([`cell,${this.#column}`, ...parts]), `${this.stem}-${safe(id)}.csv`);

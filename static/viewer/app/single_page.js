@@ -52,7 +52,7 @@ export class SinglePage {
     const colours = await this.#colours(metrics, numbers);
     const about = await this.#about(wanted);
     /** @type {Sheet} */
-    const sheet = { ...this.#scene(), shots: cells, colours, numbers: steps(numbers), about };
+    const sheet = { ...this.#scene(), shots: cells, colours, numbers: steps(this.#told(numbers)), about };
     return filled(
       shell,
       about,
@@ -75,6 +75,13 @@ export class SinglePage {
     if (metrics.length > MOST_METRICS)
       throw new Error(`found ${metrics.length} metrics, expected at most ${MOST_METRICS}`);
     return { metrics, slices, ...others };
+  }
+
+  /** The file's numbers of cells, or their rows where numbers are longer than a page of one file can hold. @param {Uint32Array} rows */
+  #told(rows) {
+    const numbering = this.#app.facts.get("numbering");
+    const numbers = Array.from(rows, (row) => numbering.of(row));
+    return numbers.every((number) => number >= 0 && number < 2 ** 31) ? Uint32Array.from(numbers) : rows;
   }
 
   /** What is drawn besides surfaces and their colours, and how. */
@@ -111,7 +118,7 @@ export class SinglePage {
     return posed(this.#app, poses, async (k) => {
       await scene.settled();
       const light = leaving.lit ? await scene.lighting.baked() : new Float32Array(0);
-      const { surface, silhouette, see_through, arrows } = drawing.records;
+      const { surface, silhouette, see_through, arrows, marks } = drawing.records;
       if (!surface) throw new Error("there is no picture to save");
       return {
         slice: slices[k] ?? null,
@@ -121,6 +128,7 @@ export class SinglePage {
         silhouette: status.silhouette > 0 && silhouette ? compact(plainQuads(silhouette)) : null,
         see_through: status.see_through.cells !== "none" && see_through ? compact(see_through) : null,
         arrows: status.arrows.attribute !== "" && arrows ? { ...arrows, cells: new Uint32Array(0) } : null,
+        marks: marks ?? null,
       };
     });
   }

@@ -56,6 +56,9 @@ const KNOTS = {
  */
 export const CATEGORIES = {
   kind: ["#f2efe8", "#e5a04c", "#5aa9a0", "#a06ab4", "#c8372d"],
+  group: [
+    "#4477aa", "#eedd88", "#d55e00", "#99ddff", "#117733", "#ffaabb", "#aa4499", "#bbcc33", "#882255", "#44bb99", "#dddddd", "#997700",
+  ], // prettier-ignore
   part: ["#77aadd", "#ee8866", "#bbcc33", "#ffaabb", "#4477aa", "#eedd88", "#d55e00", "#cc6677"],
 };
 

@@ -15,7 +15,12 @@
  * @property {{ args: [quantity: string, bins?: number, shown_only?: boolean], answer: Histogram }} histogram
  * @property {{ args: [quantity: string, count?: number], answer: Worst }} worst
  * @property {{ args: [quantity: string], answer: Float64Array }} values
+ * @property {{ args: [], answer: GroupMeasures[] }} group_table
+ * @property {{ args: [origin: string], answer: Interface[] }} interfaces
  * @property {{ args: [], answer: Validity }} validity
+ * @property {{ args: [], answer: Numbers }} numbers
+ * @property {{ args: [kind: "cell" | "vertex", number: number, direction?: readonly number[] | null], answer: Found }} find
+ * @property {{ args: [cells: readonly number[], form: string, name?: string], answer: string }} cell_list
  * @property {{ args: [cell: number], answer: Inspection }} inspect
  * @property {{ args: [cell: number, quantity: string], answer: CellValue }} value
  * @property {{ args: [], answer: boolean }} measure_sizes
@@ -37,6 +42,10 @@
  * @typedef {import("../state/leaving.js").ReportPicture} ReportPicture
  * @typedef {import("../state/answers.js").Worst} Worst
  * @typedef {import("../state/answers.js").Validity} Validity
+ * @typedef {import("../state/answers.js").GroupMeasures} GroupMeasures
+ * @typedef {import("../state/answers.js").Interface} Interface
+ * @typedef {import("../state/answers.js").Numbers} Numbers
+ * @typedef {import("../state/answers.js").Found} Found
  * @typedef {import("../state/answers.js").Inspection} Inspection
  * @typedef {import("../state/answers.js").CellValue} CellValue
  * @typedef {import("../state/answers.js").CellView} CellView

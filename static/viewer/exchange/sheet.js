@@ -18,6 +18,7 @@
  * @property {import("./compact_surface.js").Compact | null} silhouette
  * @property {import("./compact_surface.js").Compact | null} see_through
  * @property {import("../geometry/records.js").Arrows | null} arrows
+ * @property {import("../geometry/records.js").Marks | null} marks
  *
  * @typedef {object} Colouring
  * @property {string} id of the quantity; empty for sides and categories

@@ -40,6 +40,15 @@
  * @property {number} not_finite faces without an arrow, as their vector is not finite
  * @property {number} zero faces without an arrow, as their vector is nothing beside the longest
  *
+ * @typedef {object} Marks what is drawn over the surface, each with a row of the palette of marks
+ * @property {Float32Array} faces 12 per face: corners four by four
+ * @property {Uint8Array} face_colours
+ * @property {Float32Array} edges 6 per line
+ * @property {Uint8Array} edge_colours
+ * @property {Float32Array} points 3 per point
+ * @property {Uint8Array} point_colours
+ * @property {Record<string, number>} counts
+ *
  * @typedef {"lines" | "darkness_coded_edges" | "fissure" | "rounded"} SeparationMode
  *
  * @typedef {object} MeshFrame where a mesh stood before it was moved and scaled, and how large it is

@@ -76,6 +76,12 @@ const look =
 /** @type {readonly KeyRow[]} */
 export const KEYS = [
   { group: "Mesh", keys: ["o"], what: "Open a file", press: () => document.getElementById("file")?.click() },
+  {
+    group: "Mesh",
+    keys: ["n"],
+    what: "Go to an element or a node by its number",
+    press: () => document.getElementById("go-to")?.focus(),
+  },
   { group: "Mesh", keys: ["PageUp"], what: "Mesh before, in its source", press: (app) => app.openBeside(-1) },
   { group: "Mesh", keys: ["PageDown"], what: "Mesh after, in its source", press: (app) => app.openBeside(1) },
   { group: "Mesh", keys: ["m"], what: "Mesh section: fold, unfold", press: () => unfold("mesh") },
@@ -122,7 +128,7 @@ export const KEYS = [
     keys: ["c"],
     what: "Colour: sides, quality, kind",
     press: ({ store, tables }) => {
-      const ways = tables.choices["colour.by"].filter((by) => by !== "attribute" && by !== "part"); // which the mesh may lack
+      const ways = tables.choices["colour.by"].filter((by) => !["attribute", "part", "group"].includes(by)); // which the mesh may lack
       store.set({ colour: { by: next(ways, store.status.colour.by) } });
     },
   },

@@ -24,7 +24,7 @@ export class BlankScene {
   setSilhouette() {}
   setSeeThrough() {}
   setIrregular() {}
-  setArrows() {}
+  setOver() {}
   setCellColours() {}
   setStatus() {}
   resize() {}

@@ -20,7 +20,7 @@ export function cellLabel(context, scene) {
     const { id, symbol, name, unit } = quantityOf(context);
     const value = cell.metrics[id];
     const words = value === undefined ? "" : ` · ${symbol || name} ${measured(value, unit)}`;
-    setText(element, `${cell.cell}${words}`);
+    setText(element, `${cell.number}${words}`);
     element.style.translate = `${Math.round(place.x)}px ${Math.round(place.y)}px`;
   };
   scene.on("marked", (at) => {

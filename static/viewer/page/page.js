@@ -1,5 +1,7 @@
 import { drawing } from "../panels/drawing.js";
+import { features } from "../panels/features.js";
 import { filters } from "../panels/filters.js";
+import { groups } from "../panels/groups.js";
 import { inspector } from "../panels/inspector.js";
 import { mesh } from "../panels/mesh.js";
 import { quality } from "../panels/quality.js";
@@ -26,7 +28,7 @@ import { statusLine } from "./status_line.js";
 import { pictureInWords } from "./picture_in_words.js";
 
 /** The panel's sections, in their order. */
-export const SECTIONS = [mesh, filters, drawing, quality, structure, surroundings];
+export const SECTIONS = [mesh, groups, filters, drawing, quality, features, structure, surroundings];
 
 /** Everything of the page around the canvas. */
 export class Page {

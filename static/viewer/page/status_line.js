@@ -40,5 +40,5 @@ function hoverInWords({ facts }) {
     typeof hover.value === "number"
       ? `, ${hover.name} ${measured(hover.value, hover.unit ?? "")}${parts}`
       : "";
-  return [`cell ${hover.cell}${value}`, tool].filter(Boolean).join(" · ");
+  return [`cell ${facts.get("numbering").of(hover.cell)}${value}`, tool].filter(Boolean).join(" · ");
 }

@@ -1,5 +1,6 @@
 import { categoryColour } from "../colours/palettes.js";
 import { optionsOf } from "../state/choices.js";
+import { byOrigin, groupingOf, groupsOf, originName } from "../state/groups.js";
 import { count, typed } from "../state/numbers.js";
 import { watch } from "../widgets/bind.js";
 import { wholeNumber } from "../widgets/controls.js";
@@ -42,6 +43,13 @@ const waysOf = optionsOf("colour.by");
 const hasAttributes = (context) =>
   Boolean(context.facts.get("summary")?.attributes?.length) || colouredBy(context) === "attribute";
 
+/** Whether the mesh has what a way of colouring shows. @param {Context} context @param {Status["colour"]["by"]} way */
+function hasWhat(context, way) {
+  if (way === "attribute") return hasAttributes(context);
+  if (way === "group") return colouredBy(context) === "group" || byOrigin(groupsOf(context.facts)).size > 0;
+  return true;
+}
+
 /** @type {import("../widgets/section.js").Section} */
 export const drawing = {
   id: "drawing",
@@ -65,9 +73,8 @@ export const drawing = {
       label: "Colour",
       hint: "What the faces are coloured by (C)",
       path: "colour.by",
-      facts: ["summary"],
-      options: (context) =>
-        waysOf(context).filter(({ value }) => value !== "attribute" || hasAttributes(context)),
+      facts: ["summary", "description"],
+      options: (context) => waysOf(context).filter(({ value }) => hasWhat(context, value)),
       write: (by, { facts, store }) => {
         const first = facts.get("summary")?.attributes?.[0]?.id ?? "";
         return {
@@ -79,6 +86,19 @@ export const drawing = {
       },
     },
     { kind: "custom", render: kindLegend },
+    {
+      kind: "choice",
+      id: "colour-grouping",
+      label: "Groups",
+      path: "colour.grouping",
+      status: ["colour.by"],
+      facts: ["description"],
+      read: groupingOf,
+      write: (grouping) => ({ colour: { grouping } }),
+      options: ({ facts }) =>
+        [...byOrigin(groupsOf(facts)).keys()].map((value) => ({ value, name: originName(value) })),
+      hidden: (context) => colouredBy(context) !== "group",
+    },
     {
       kind: "colours",
       label: "",

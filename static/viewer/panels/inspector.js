@@ -1,3 +1,4 @@
+import { groupName, groupsOf } from "../state/groups.js";
 import { decimal } from "../state/numbers.js";
 import { isOutside } from "../state/quantity.js";
 import { measured, titled, unitOf } from "../state/units.js";
@@ -35,7 +36,7 @@ export function inspector(context) {
     const cell = context.facts.get("cell");
     element.hidden = !cell;
     if (!cell) return;
-    heading.textContent = `Cell ${cell.cell}`;
+    heading.textContent = `Cell ${cell.number}`;
     body.replaceChildren(...parts(context, cell));
   });
   return element;
@@ -43,7 +44,7 @@ export function inspector(context) {
 
 /** @param {Context} context @param {Inspection} cell */
 function parts(context, cell) {
-  const { tables, app, store } = context;
+  const { tables, app, store, facts } = context;
   const neighbours = cell.neighbours.filter((other) => other >= 0);
   const metrics = tables.metrics
     .filter(({ id }) => cell.metrics[id] !== undefined)
@@ -69,6 +70,7 @@ function parts(context, cell) {
         "Isolate",
       ),
     ),
+    cell.groups.length ? groupsOfCell(context, cell) : null,
     table("Quality", metrics),
     attributes.length ? table("Attributes", attributes) : null,
     cornersTable(cell, unitOf(store.status, 1)),
@@ -77,7 +79,11 @@ function parts(context, cell) {
       { class: "cell-list" },
       h("span", { class: "quiet" }, "Neighbours "),
       ...neighbours.map((other) =>
-        h("button", { type: "button", class: "link", onclick: () => app.inspect(other) }, String(other)),
+        h(
+          "button",
+          { type: "button", class: "link", onclick: () => app.inspect(other) },
+          String(facts.get("numbering").of(other)),
+        ),
       ),
     ),
   ].filter((part) => part !== null);
@@ -104,16 +110,27 @@ function metricRow(name, value, { range = null, variant = "", unit = "" } = {}) 
   return h("tr", {}, h("th", { scope: "row", ...(variant ? { title: variant } : {}) }, name), cell);
 }
 
+/** The groups that a cell is in. @param {Context} context @param {Inspection} cell */
+function groupsOfCell({ facts }, { groups }) {
+  const known = new Map(groupsOf(facts).map((group) => [group.id, groupName(group)]));
+  return h(
+    "p",
+    { class: "cell-list" },
+    h("span", { class: "quiet" }, "Groups "),
+    groups.map((id) => known.get(id) ?? id).join(", "),
+  );
+}
+
 /** @param {string} caption @param {HTMLElement[]} rows */
 function table(caption, rows) {
   return h("table", { class: "table" }, h("caption", {}, caption), h("tbody", {}, ...rows));
 }
 
 /** @param {Inspection} cell @param {string} unit of the coordinates; may be empty */
-function cornersTable({ corners, coordinates }, unit) {
+function cornersTable({ nodes, coordinates }, unit) {
   const at = (/** @type {number} */ corner) => coordinates[corner].map((x) => decimal(x)).join(" ");
   return table(
     titled("Corners", unit),
-    corners.map((id, corner) => h("tr", {}, h("th", { scope: "row" }, String(id)), h("td", {}, at(corner)))),
+    nodes.map((id, corner) => h("tr", {}, h("th", { scope: "row" }, String(id)), h("td", {}, at(corner)))),
   );
 }

@@ -5,6 +5,7 @@ import { h } from "../widgets/dom.js";
 import { watch } from "../widgets/bind.js";
 import { findings } from "./findings.js";
 import { firstFacts } from "./first_facts.js";
+import { goTo } from "./go_to.js";
 import { keeping } from "./keeping.js";
 import { offersChooser } from "./offers.js";
 import { partList } from "./parts.js";
@@ -28,6 +29,7 @@ export const mesh = {
     { kind: "custom", render: offersChooser },
     { kind: "custom", render: keeping },
     { kind: "custom", render: headline },
+    { kind: "custom", render: goTo },
     { kind: "custom", render: firstFacts },
     {
       kind: "choice",

@@ -21,6 +21,9 @@ const toolButton = (name, tool, hint) => ({
   pressed: ({ facts }) => facts.get("tool") === tool,
 });
 
+/** @param {string} value @param {Context} context */
+const parsed = (value, context) => parseCells(value, cellsOf(context), context.facts.get("numbering"));
+
 /** Picked cells by number. @param {"hidden" | "shown"} list @param {string} label @returns {Control} */
 const byNumber = (list, label) => ({
   kind: "text",
@@ -28,10 +31,11 @@ const byNumber = (list, label) => ({
   label,
   hint: "3, 10-14",
   status: [`filters.picking.${list}`],
-  read: (context) => formatCells(pickingOf(context)[list]),
-  check: (value, context) => parseCells(value, cellsOf(context)).wrong,
+  facts: ["numbering"],
+  read: (context) => formatCells(pickingOf(context)[list], context.facts.get("numbering")),
+  check: (value, context) => parsed(value, context).wrong,
   write: (value, context) => ({
-    filters: { picking: { enabled: true, [list]: parseCells(value, cellsOf(context)).cells } },
+    filters: { picking: { enabled: true, [list]: parsed(value, context).cells } },
   }),
 });
 

@@ -3,6 +3,7 @@ import { quantityOf } from "../state/quantity.js";
 import { titled, unitOf } from "../state/units.js";
 import { watch } from "../widgets/bind.js";
 import { h } from "../widgets/dom.js";
+import { cellsCopied } from "./cells_copied.js";
 
 /** @typedef {import("../widgets/bind.js").Context} Context @typedef {import("../state/answers.js").Worst} Worst */
 
@@ -37,8 +38,16 @@ export function worstCells(context) {
       "All values as CSV",
     ),
   );
-  const element = h("div", { class: "worst-cells" }, h("div", { class: "worst-rows" }, table), others, save);
-  watch(context, { status: ["unit"], facts: ["worst", "cell", "summary"] }, () => {
+  const copied = cellsCopied(context, () => context.facts.get("worst")?.cells ?? [], "WORST");
+  const element = h(
+    "div",
+    { class: "worst-cells" },
+    h("div", { class: "worst-rows" }, table),
+    others,
+    save,
+    copied,
+  );
+  watch(context, { status: ["unit"], facts: ["worst", "cell", "summary", "numbering"] }, () => {
     const worst = context.facts.get("worst");
     element.hidden = !worst;
     if (!worst) return;
@@ -86,7 +95,7 @@ function link(context, cell, inspected) {
     ...(cell === inspected ? { "aria-current": "true" } : {}),
     onclick: () => void context.app.flyTo(cell),
   };
-  return h("button", attributes, String(cell));
+  return h("button", attributes, String(context.facts.get("numbering").of(cell)));
 }
 
 /** Arrow keys go from cell to cell. @param {KeyboardEvent} event @param {HTMLElement} body */

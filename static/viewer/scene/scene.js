@@ -152,7 +152,8 @@ export class Scene {
     this.setSilhouette(null);
     this.setSeeThrough(null);
     this.setIrregular(null);
-    this.setArrows(null);
+    this.setOver("arrows", null);
+    this.setOver("marks", null);
     this.setCellColours(null);
     this.mark(null);
     this.#rig.covered = 0;
@@ -200,9 +201,9 @@ export class Scene {
     this.#loop.invalidate();
   }
 
-  /** @param {import("../geometry/records.js").Arrows | null} arrows */
-  setArrows(arrows) {
-    this.#layers.arrows.set(arrows);
+  /** @type {SceneLike["setOver"]} */
+  setOver(layer, record) {
+    this.#layers[layer].set(/** @type {never} */ (record));
     this.#enclose();
     this.#loop.invalidate();
   }

@@ -1,4 +1,6 @@
 /**
+ * @typedef {{ arrows: import("../geometry/records.js").Arrows, marks: import("../geometry/records.js").Marks }} Over
+ *
  * What the viewer knows of a scene, so that one which draws nothing can stand in for it.
  *
  * @typedef {object} Place of the canvas
@@ -46,7 +48,7 @@
  * @property {(silhouette: import("../geometry/records.js").Silhouette | null) => void} setSilhouette
  * @property {(surface: import("../geometry/records.js").Surface | null) => void} setSeeThrough of hidden cells
  * @property {(irregular: import("../geometry/records.js").Irregular | null) => void} setIrregular
- * @property {(arrows: import("../geometry/records.js").Arrows | null) => void} setArrows
+ * @property {<Name extends keyof Over>(layer: Name, record: Over[Name] | null) => void} setOver what is drawn over the surface
  * @property {(positions: Float32Array | null, highFirst?: boolean) => void} setCellColours in the colour map, one per cell; whether its first
  *   colour is that of high values
  * @property {(status: import("./types.js").SceneStatus) => void} setStatus

@@ -41,7 +41,8 @@ export class Shown {
     this.#scene.setSurface(surface);
     this.#scene.setSilhouette(shot.silhouette && expanded(shot.silhouette));
     this.#scene.setSeeThrough(shot.see_through && expanded(shot.see_through));
-    this.#scene.setArrows(shot.arrows);
+    this.#scene.setOver("arrows", shot.arrows);
+    this.#scene.setOver("marks", shot.marks);
   }
 
   /** @param {number} place in the list of colours */

@@ -50,6 +50,52 @@
  * @property {Record<string, number>} shapes number of cells by what they are or have collapsed to
  * @property {number[]} part_cells cells of each of the largest parts
  * @property {Finding[]} findings
+ * @property {GroupRow[]} groups named sets of cells and of vertices, and what arrays of few whole numbers make
+ * @property {Record<"corners" | "edges" | "faces", FeatureRows>} features elements of lower dimension
+ *
+ * @typedef {object} GroupRow
+ * @property {string} id "elset:STEEL"
+ * @property {string} name
+ * @property {"cells" | "vertices"} kind
+ * @property {string} origin
+ * @property {number | null} number by which the file knows it
+ * @property {number} count members
+ *
+ * @typedef {object} FeatureRows
+ * @property {number} count
+ * @property {number} lost those that are no vertex, edge or face of a cell
+ * @property {FeatureGroup[]} groups
+ *
+ * @typedef {object} FeatureGroup
+ * @property {string} id
+ * @property {string} name
+ * @property {string} origin
+ * @property {number | null} number
+ * @property {number} count
+ * @property {number | null} colour row of the palette of marks; null of groups that none are coloured by
+ *
+ * @typedef {object} GroupMeasures  of a group of cells
+ * @property {string} id
+ * @property {number} volume
+ * @property {number | null} scaled_jacobian_min
+ * @property {number | null} scaled_jacobian_mean
+ * @property {number} invalid cells whose Jacobian is somewhere not positive
+ *
+ * @typedef {object} Interface  where two groups meet
+ * @property {[string | null, string | null]} groups null: cells in no group
+ * @property {number} faces that both share
+ * @property {number} apart faces of the one that lie on the other and are not joined to it
+ * @property {number | null} colour row of the palette of marks
+ *
+ * @typedef {object} Numbers  how the file numbers cells
+ * @property {number} first what rows are counted from where it does not
+ * @property {Int32Array | Float64Array | null} cells
+ *
+ * @typedef {object} Found  by a number of the file
+ * @property {number[]} rows that have it
+ * @property {number} cell to look at, -1 if there is none
+ * @property {Uint32Array} around rows of the cells around, itself among them
+ * @property {Point} place in the file's unit
  *
  * @typedef {object} Finding  something that is wrong with a mesh, or worth knowing
  * @property {string} id
@@ -80,12 +126,14 @@
  * @property {Surface} [see_through] of hidden cells
  * @property {Irregular} [irregular]
  * @property {Arrows} [arrows]
+ * @property {Marks} [marks]
  * @property {Colour | null} [colour] null for sides
  *
  * @typedef {import("../geometry/records.js").Surface} Surface
  * @typedef {import("../geometry/records.js").Silhouette} Silhouette
  * @typedef {import("../geometry/records.js").Irregular} Irregular
  * @typedef {import("../geometry/records.js").Arrows} Arrows
+ * @typedef {import("../geometry/records.js").Marks} Marks
  * @typedef {Irregular["counts"]} IrregularCounts  number of irregular edges, interior and boundary, by valence
  *
  * @typedef {object} Colour
@@ -95,6 +143,9 @@
  * @property {number | null} low value at the end of the map
  * @property {number | null} high
  * @property {boolean} high_first whether the map's first colour is that of high values
+ * @property {{ id: string, colour: number }[]} [groups] where cells are coloured by group: row of the palette of each
+ * @property {number} [without] cells in none of them
+ * @property {number} [in_several] cells in several, which have the colour of the one of fewest members
  *
  * @typedef {object} SavedCells  the shown cells as a file
  * @property {Uint8Array} data
@@ -121,6 +172,7 @@
  * @property {Surface} [see_through] of hidden cells
  * @property {Irregular} [irregular]
  * @property {Arrows} [arrows]
+ * @property {Marks} [marks]
  * @property {Colour | null} colour
  *
  * @typedef {object} BriefSummary
@@ -181,9 +233,12 @@
  * @property {Uint32Array} invalid_cells
  *
  * @typedef {object} Inspection  everything about a cell
- * @property {number} cell
+ * @property {number} cell its row
+ * @property {number} number of the file
  * @property {string} kind
- * @property {number[]} corners vertices
+ * @property {number[]} corners rows of its vertices
+ * @property {number[]} nodes the file's numbers of them
+ * @property {string[]} groups ids of those that it is in
  * @property {Point[]} coordinates of the corners
  * @property {Record<string, number | null>} metrics those that its kind has
  * @property {string[]} pending metrics that wait for the mesh's mean volume

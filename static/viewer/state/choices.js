@@ -31,6 +31,7 @@ const NAMES = {
     attribute: "Attribute",
     kind: "Cell kind",
     part: "Part",
+    group: "Group",
   },
   "colour.map": { parula: "Parula", viridis: "Viridis", jet: "Jet", red_blue: "Red-Blue" },
   "see_through.cells": {
@@ -39,6 +40,7 @@ const NAMES = {
     cut: "what slice and peel hide",
     quality: "what the quality filter hides",
     parts: "hidden parts",
+    groups: "hidden groups",
     picking: "what was hidden by hand",
   },
   "irregular.palette": { standard: "standard", colour_blind: "for colour-blind eyes" },

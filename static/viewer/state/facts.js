@@ -1,3 +1,5 @@
+import { ROWS } from "./numbering.js";
+
 /**
  * @typedef {import("./answers.js").BriefSummary & Partial<import("./answers.js").Summary>} MeshSummary
  *   of a mesh whose preview alone is there, the brief one
@@ -41,6 +43,10 @@
  * @property {import("./answers.js").Worst & { quantity: string } | null} worst cells by what is looked at
  * @property {import("./answers.js").IrregularCounts | null} irregular
  * @property {import("./arrows.js").Told | null} arrows that are drawn
+ * @property {Readonly<Record<string, number>>} marks that are drawn over the surface, by what was asked for
+ * @property {import("./numbering.js").Numbering} numbering of the cells, by the file
+ * @property {Readonly<Record<string, import("./answers.js").GroupMeasures>> | null} groupMeasures by id, once they were asked for
+ * @property {{ origin: string, rows: readonly import("./answers.js").Interface[] } | null} interfaces between groups of an origin
  * @property {{ cells: number, faces: number } | null} shown
  * @property {import("./answers.js").Colour | null} colour
  * @property {number | null} layers of cells from the boundary inwards
@@ -61,7 +67,7 @@
 
 /** What is known of a mesh before anything is, and the tool at hand: another mesh starts with these. */
 export const NEW_MESH = Object.freeze(
-  /** @type {Pick<FactTable, "tool" | "source" | "entry" | "address" | "offered" | "summary" | "description" | "statistics" | "histogram" | "worst" | "irregular" | "arrows" | "shown" | "colour" | "layers" | "cell" | "flown" | "hover" | "plane" | "planeRanges">} */ ({
+  /** @type {Pick<FactTable, "tool" | "source" | "entry" | "address" | "offered" | "summary" | "description" | "statistics" | "histogram" | "worst" | "irregular" | "arrows" | "marks" | "numbering" | "groupMeasures" | "interfaces" | "shown" | "colour" | "layers" | "cell" | "flown" | "hover" | "plane" | "planeRanges">} */ ({
     tool: "turn",
     source: null,
     entry: null,
@@ -74,6 +80,10 @@ export const NEW_MESH = Object.freeze(
     worst: null,
     irregular: null,
     arrows: null,
+    marks: {},
+    numbering: ROWS,
+    groupMeasures: null,
+    interfaces: null,
     shown: null,
     colour: null,
     layers: null,

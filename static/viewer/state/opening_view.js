@@ -56,9 +56,9 @@ export function openingSettings(own, { status, touched, keeping, alike, renewed,
       }),
     )
   );
-  const { colour, filters, arrows } = settings;
+  const { colour, filters, arrows, marks } = settings;
   const known = colour.by !== "attribute" || has(colour.attribute);
-  const { picking, parts, quality } = filters;
+  const { picking, parts, groups, quality } = filters;
   return {
     settings: {
       ...settings,
@@ -66,13 +66,16 @@ export function openingSettings(own, { status, touched, keeping, alike, renewed,
       colour: {
         ...colour,
         range: renewed && known ? colour.range : null,
+        grouping: renewed ? colour.grouping : "",
         ...(known ? {} : { by: "sides", attribute: "" }),
       },
       arrows: arrows.attribute === "" || has(arrows.attribute, 3) ? arrows : { ...arrows, attribute: "" },
+      marks: renewed ? marks : { ...marks, hidden: [], nodes: [], interfaces: "" },
       filters: {
         ...filters,
         picking: alike ? picking : own.filters.picking,
         parts: alike ? parts : own.filters.parts,
+        groups: renewed ? groups : own.filters.groups,
         quality: {
           ...quality,
           items: quality.items.filter(({ quantity }) => !quantity.includes(":") || has(quantity)),

@@ -10,65 +10,76 @@ export function toggleTool(facts, tool) {
   facts.set({ tool: facts.get("tool") === tool ? "turn" : tool });
 }
 
-/** @param {readonly number[]} list @param {number} cell */
+/**
+ * What is hidden and shown of cells, parts or groups.
+ *
+ * @template One @typedef {{ readonly enabled: boolean, readonly isolated: boolean, readonly hidden: readonly One[], readonly shown: readonly One[] }} Chosen
+ */
+
+/** @template One @param {readonly One[]} list @param {One} cell */
 const without = (list, cell) => list.filter((one) => one !== cell);
 
-/** @param {readonly number[]} list @param {number} cell */
-const including = (list, cell) => [...new Set([...list, cell])].sort((a, b) => a - b);
+/** @template One @param {readonly One[]} list */
+const inOrder = (list) => [...new Set(list)].sort((a, b) => (a < b ? -1 : a > b ? 1 : 0));
 
-/** Hide a cell; one that was undug just leaves that list. @param {Picking} picking @param {number} cell @returns {Picking} */
+/** @template One @param {readonly One[]} list @param {One} cell */
+const including = (list, cell) => inOrder([...list, cell]);
+
+/** Hide a cell; one that was undug just leaves that list. @template One @param {Chosen<One>} picking @param {One} cell @returns {Chosen<One>} */
 export function dig(picking, cell) {
   if (picking.shown.includes(cell)) return { ...picking, enabled: true, shown: without(picking.shown, cell) };
   return { ...picking, enabled: true, hidden: including(picking.hidden, cell) };
 }
 
-/** Show a cell; one that was dug just leaves that list. @param {Picking} picking @param {number} cell @returns {Picking} */
+/** Show a cell; one that was dug just leaves that list. @template One @param {Chosen<One>} picking @param {One} cell @returns {Chosen<One>} */
 export function undig(picking, cell) {
   if (picking.hidden.includes(cell))
     return { ...picking, enabled: true, hidden: without(picking.hidden, cell) };
   return { ...picking, enabled: true, shown: including(picking.shown, cell) };
 }
 
-/** Hide all but these cells. @param {Iterable<number>} cells @returns {Picking} */
+/** Hide all but these cells. @template {number | string} One @param {Iterable<One>} cells @returns {Chosen<One>} */
 export function isolate(cells) {
-  return { enabled: true, isolated: true, hidden: [], shown: [...new Set(cells)].sort((a, b) => a - b) };
+  return { enabled: true, isolated: true, hidden: [], shown: inOrder([...cells]) };
 }
 
-/** @returns {Picking} */
+/** @returns {{ enabled: boolean, isolated: boolean, hidden: never[], shown: never[] }} */
 export function clear() {
   return { enabled: true, isolated: false, hidden: [], shown: [] };
 }
 
-/** @param {Picking} picking */
+/** @param {Chosen<unknown>} picking */
 export function isClear(picking) {
   return !picking.isolated && !picking.hidden.length && !picking.shown.length;
 }
 
 /**
- * Cell numbers as typed: "3, 10-14 20". Numbers run from 0 in file order.
+ * Cell numbers as typed: "3, 10-14 20". They are those of the file; of a range all count that there are.
  *
- * @param {string} text @param {number} cells how many cells the mesh has
- * @returns {{ cells: number[], wrong: string }} `wrong` names what could not be understood, or is empty
+ * @param {string} text @param {number} cells how many cells the mesh has @param {import("./numbering.js").Numbering} numbering
+ * @returns {{ cells: number[], wrong: string }} rows; `wrong` names what could not be understood, or is empty
  */
-export function parseCells(text, cells) {
+export function parseCells(text, cells, numbering) {
   /** @type {Set<number>} */
   const found = new Set();
   for (const word of text.split(/[\s,;]+/).filter(Boolean)) {
     const match = /^(\d+)(?:[-–](\d+))?$/.exec(word);
     if (!match) return { cells: [], wrong: `“${word}” is not a cell number` };
     const [first, last] = [Number(match[1]), Number(match[2] ?? match[1])];
-    if (Math.max(first, last) >= cells)
-      return { cells: [], wrong: `“${word}”: cells run from 0 to ${cells - 1}` };
-    for (let cell = Math.min(first, last); cell <= Math.max(first, last); cell++) found.add(cell);
+    const rows = numbering.between(Math.min(first, last), Math.max(first, last), cells);
+    const [low, high] = numbering.ends(cells);
+    if (!rows.length || Math.max(first, last) > high || Math.min(first, last) < low)
+      return { cells: [], wrong: `“${word}”: no such cell, they run from ${low} to ${high}` };
+    for (const row of rows) found.add(row);
   }
   return { cells: [...found].sort((a, b) => a - b), wrong: "" };
 }
 
-/** Cell numbers in the form `parseCells` reads, runs drawn together. @param {readonly number[]} cells */
-export function formatCells(cells) {
+/** Numbers of cells in the form `parseCells` reads, runs drawn together. @param {readonly number[]} cells rows @param {import("./numbering.js").Numbering} numbering */
+export function formatCells(cells, numbering) {
   /** @type {[number, number][]} */
   const runs = [];
-  for (const cell of [...cells].sort((a, b) => a - b)) {
+  for (const cell of cells.map((row) => numbering.of(row)).sort((a, b) => a - b)) {
     const last = runs.at(-1);
     if (last && cell === last[1] + 1) last[1] = cell;
     else runs.push([cell, cell]);

@@ -31,6 +31,7 @@
  * @property {readonly MetricRow[]} metrics
  * @property {readonly FormatRow[]} formats
  * @property {readonly WriterRow[]} writers
+ * @property {readonly { id: string, name: string }[]} list_forms forms that cells are copied in
  */
 
 /** @param {Document} page @returns {Tables} */

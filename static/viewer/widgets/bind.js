@@ -21,6 +21,9 @@
  * @property {(cell: number | null) => unknown} inspect
  * @property {(cell: number) => Promise<void>} flyTo
  * @property {(cell: number) => unknown} cutTo
+ * @property {(kind: "cell" | "vertex", number: number) => Promise<void>} goTo by the file's number
+ * @property {(cells: readonly number[], form: string, name: string) => Promise<string | null>} listCells as a text for other programs
+ * @property {{ measure: () => Promise<void>, meet: (origin: string) => Promise<void> }} grouped
  * @property {() => Promise<void>} saveWorst
  * @property {() => Promise<void>} saveValues
  * @property {(tool: import("../state/facts.js").PickingTool, cell: number) => void} pick

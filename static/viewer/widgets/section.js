@@ -15,6 +15,8 @@ import { slider } from "./slider.js";
  * @property {readonly Control[]} controls
  * @property {(context: Context) => string} [digest] what a folded section tells of itself
  * @property {import("./bind.js").Dependencies} [digestOf]
+ * @property {(context: Context) => boolean} [hidden] whether there is nothing in it now
+ * @property {import("./bind.js").Dependencies} [hiddenOf]
  */
 
 /** @type {{ [Kind in Control["kind"]]: (context: Context, control: Extract<Control, { kind: Kind }>) => HTMLElement }} */
@@ -111,6 +113,8 @@ export function renderSection(context, section) {
   );
   if (section.digest)
     watch(context, section.digestOf ?? {}, () => setText(digest, section.digest?.(context) ?? ""));
+  const { hidden } = section;
+  if (hidden) watch(context, section.hiddenOf ?? {}, () => void (element.hidden = hidden(context)));
   return element;
 }
 

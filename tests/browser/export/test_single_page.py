@@ -95,7 +95,7 @@ def compare(viewer: Page, chromium: Browser, tmp_path: Path) -> np.ndarray:
 def test_A7_colours_and_slices_can_be_chosen_and_a_cell_is_told(
     viewer: Page, chromium: Browser, tmp_path: Path
 ) -> None:
-    put(viewer, HALF, PLAIN)
+    put(viewer, HALF, PLAIN, {"unit": "mm"})
     path = tmp_path / "page.html"
     wanted = {
         "metrics": ["volume", "diagonal"],
@@ -122,7 +122,7 @@ def test_A7_colours_and_slices_can_be_chosen_and_a_cell_is_told(
     box = page.locator("#canvas").bounding_box()
     assert box
     page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
-    told = until(lambda: re.search(r"cell (\d+), Volume 1\b", page.locator("#facts").inner_text()))
+    told = until(lambda: re.search(r"cell (\d+), Volume 1\.000\smm³", page.locator("#facts").inner_text()))
     assert int(told[1]) in range(24) and int(told[1]) // 6 >= 2, "its number in the whole mesh"
     turned = pixels(page)
     page.locator("#canvas").focus()

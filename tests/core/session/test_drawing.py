@@ -9,6 +9,7 @@ import pytest
 
 from hexalab.quality import METRICS, quality_many
 from hexalab.session import Session
+from tests.core.conftest import grid_points, legacy_vtk
 from tests.core.session.checks import ALL, RECORDS, plain, shown_of
 
 
@@ -95,6 +96,19 @@ def test_R8_arrows_follow_the_shown_cells_the_attribute_and_the_gap(session: Ses
     assert "arrows" not in session.update({"separation": {"radius": 0.1}})
     back = session.update({"separation": {"mode": "rounded"}})["arrows"]
     assert np.array_equal(back["positions"], after["arrows"]["positions"])
+
+
+def test_R8_arrows_of_another_attribute_are_sent(block: Session) -> None:
+    points, cells = grid_points((2, 1, 1))
+    rows = lambda values: [" ".join(map(str, row)) for row in values]  # noqa: E731
+    flow, force = ["VECTORS flow double", *rows(points)], ["VECTORS force double", *rows(-2 * points)]
+    block.open("two.vtk", legacy_vtk(points, cells, f"POINT_DATA {len(points)}", *flow, *force))
+    first = block.update({"arrows": {"attribute": "point:flow"}})["arrows"]
+    other = block.update({"arrows": {"attribute": "point:force"}})["arrows"]
+    assert (first["longest"], other["longest"]) == pytest.approx((6**0.5, 2 * 6**0.5))
+    assert np.allclose(first["vectors"], -other["vectors"])
+    block.update({"arrows": {"attribute": "point:flow"}}, lean=True)
+    assert block.update()["arrows"]["longest"] == first["longest"]
 
 
 def test_V4_irregular_structure_comes_after_the_description(block: Session) -> None:

@@ -5,18 +5,22 @@ from __future__ import annotations
 import inspect
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
 
 from hexalab.formats import read_bytes, write_bytes
+from hexalab.groups import Features
+from hexalab.mesh import Mesh
 from hexalab.packing import unpack
 from hexalab.session import DESCRIBED, Session, prepared
 from hexalab.session.door import METHODS, Door
 from hexalab.session.warm_up import grid
 from hexalab.status import DEFAULTS
+from tests.core.session.test_groups import row_of_cubes
 from tests.core.session.typedefs import Shapes, Typedef, parts, typedefs
 
 RECORDS = typedefs("geometry/records.js")
@@ -38,8 +42,9 @@ def rows() -> dict[str, re.Match[str]]:
 class Conversation:
     """A door that is asked as the page asks, its answers unpacked."""
 
-    def __init__(self) -> None:
-        self._door = Door(Session({"one": lambda: prepared(read_bytes(ONE, "one.mesh"))}))
+    def __init__(self, offers: dict[str, Callable[[], Mesh]] | None = None) -> None:
+        one = {"one": lambda: prepared(read_bytes(ONE, "one.mesh"))}
+        self._door = Door(Session(offers or one))
 
     def ask(self, method: str, *arguments: Any, data: bytes | None = None) -> Any:
         """Ask one question."""
@@ -80,6 +85,7 @@ def answers(attributed: bytes, infinite: bytes) -> Iterator[tuple[str, Any]]:
     yield "validity", core.ask("validity")
     yield "report", core.ask("report", "xml", {"sha256": ""}, [], [{"invalid": 0}], True)
     yield "report_poses", core.ask("report_poses", "mm")
+    yield from grouped_answers()
     yield "inspect", core.ask("inspect", 0)
     for quantity in ("relative_size_squared", "point:flow", "cell:load"):
         yield "value", core.ask("value", 0, quantity)
@@ -94,6 +100,26 @@ def answers(attributed: bytes, infinite: bytes) -> Iterator[tuple[str, Any]]:
     described = core.ask("describe")
     yield "describe", described
     yield "finding_cells", core.ask("finding_cells", described["findings"][0]["id"])
+
+
+def grouped_answers() -> Iterator[tuple[str, Any]]:
+    """Answers on a mesh with groups, features and numbers of its own."""
+    mesh = row_of_cubes()
+    edges = np.array([[0, 1], [1, 2], [0, 27]], dtype=np.int32).T
+    features = (Features(1, edges, {"reference": np.array([3, 4, 4])}),)
+    core = Conversation({"row": lambda: replace(mesh, features=features)})
+    yield "open_offered", core.ask("open_offered", "row")
+    yield "describe", core.ask("describe", "groups")
+    yield "update", core.ask("update", {"colour": {"by": "group", "grouping": "elset"}})
+    yield "update", core.ask("update", {"marks": {"interfaces": "material", "nodes": ["nset:N"]}})
+    yield "group_table", core.ask("group_table")
+    yield "interfaces", core.ask("interfaces", "elset")
+    yield "interfaces", core.ask("interfaces", "material")
+    yield "numbers", core.ask("numbers")
+    yield "find", core.ask("find", "cell", 50, [0, 0, 1])
+    yield "find", core.ask("find", "vertex", 5)
+    yield "cell_list", core.ask("cell_list", [0, 1], "elset", "BAD")
+    yield "inspect", core.ask("inspect", 2)
 
 
 PLANE = {"enabled": True, "normal": [1, 0, 0], "offset": 0}
@@ -137,6 +163,7 @@ def test_A1_the_typedefs_of_answers_are_what_a_session_answers(attributed: bytes
     for other in (
         {"silhouette": 0, "irregular": {"mode": 0}},
         {"see_through": {"cells": "all"}, "arrows": arrows},
+        {"marks": {"sharp_angle": 30}},
     ):
         assert shapes.wrong(unpack(preview.preview(other)), "Preview") == []
     assert asked == set(METHODS)

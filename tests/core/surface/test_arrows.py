@@ -88,6 +88,12 @@ def box(side: int) -> Mesh:
     return grid(side, side, side, jitter=0.1)
 
 
+def tilted(side: int) -> Mesh:
+    turn = np.linalg.qr(np.random.default_rng(8).normal(size=(3, 3)))[0]
+    mesh = grid(side, side, side)
+    return replace(mesh, coordinates=np.ascontiguousarray(turn @ mesh.coordinates))
+
+
 def plate(side: int) -> Mesh:
     points = grid_points(side, side, 1) * [1, 1, 0.05]
     return mesh_of(points, grid_cells(side, side, 1))
@@ -113,6 +119,7 @@ def everything(mesh: Mesh) -> tuple[Mesh, NDArray[np.bool_]]:
 
 SURFACES = {
     "box": lambda: everything(box(24)),
+    "tilted": lambda: everything(tilted(34)),
     "plate": lambda: everything(plate(40)),
     "needle": lambda: everything(needle(600)),
     "stairs": lambda: ball(30),

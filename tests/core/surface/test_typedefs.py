@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from hexalab.surface import MODES
-from hexalab.surface.records import Arrows, Irregular, Silhouette, Surface
+from hexalab.surface.records import Arrows, Irregular, Marks, Silhouette, Surface
 
 TYPEDEFS = (Path(__file__).parents[3] / "static/viewer/geometry/records.js").read_text(encoding="utf-8")
 
@@ -41,7 +41,7 @@ def in_javascript(hint: Any) -> str:
     return NAMES[hint]
 
 
-@pytest.mark.parametrize("record", [Surface, Silhouette, Irregular, Arrows])
+@pytest.mark.parametrize("record", [Surface, Silhouette, Irregular, Arrows, Marks])
 def test_the_viewer_calls_every_field_by_its_name_and_type(record: type) -> None:
     hints = typing.get_type_hints(record)
     expected = {

@@ -38,7 +38,7 @@ function parts() {
     setSilhouette: note("silhouette"),
     setSeeThrough: note("see_through"),
     setIrregular: note("irregular"),
-    setArrows: note("arrows"),
+    setOver: (/** @type {string} */ layer, /** @type {unknown} */ record) => note(layer)(record),
     setCellColours: note("colours"),
     showPlane: note("plane"),
   };

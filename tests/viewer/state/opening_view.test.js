@@ -13,11 +13,13 @@ const defaults = /** @type {import("../../../static/viewer/state/status.js").Sta
       planes: { enabled: true, items: [{ enabled: true, normal: [1, 0, 0], offset: 0 }] },
       quality: { enabled: true, items: [] },
       parts: { enabled: true, isolated: false, hidden: [], shown: [] },
+      groups: { enabled: true, isolated: false, hidden: [], shown: [] },
       picking: { enabled: true, isolated: false, hidden: [], shown: [] },
     },
     separation: { mode: "lines" },
-    colour: { by: "sides", attribute: "", metric: "scaled_jacobian", range: null },
+    colour: { by: "sides", attribute: "", metric: "scaled_jacobian", grouping: "", range: null },
     arrows: { attribute: "", length: 0.05, colour: "#1d1f23" },
+    marks: { edges: true, hidden: [], sharp_angle: 180, nodes: [], interfaces: "" },
   })
 );
 const view = /** @type {import("../../../static/viewer/state/opening_view.js").View} */ ({
@@ -152,6 +154,36 @@ test("A5: a mesh that was written anew keeps all that it can", () => {
   const other = openingSettings(own, { ...renewed, alike: false, has: () => true }).settings;
   assert.deepEqual(other.filters?.picking, own.filters.picking, "of other cells none is picked");
   assert.equal(other.filters?.quality?.items?.length, 2);
+});
+
+test("R12: groups belong to their file: another mesh shows all of its own, and draws none of the last one's", () => {
+  const status = {
+    ...defaults,
+    colour: { ...defaults.colour, grouping: "elset" },
+    filters: {
+      ...defaults.filters,
+      groups: { enabled: true, isolated: false, hidden: ["elset:A"], shown: [] },
+    },
+    marks: {
+      ...defaults.marks,
+      hidden: ["edges:reference:1"],
+      nodes: ["nset:N"],
+      interfaces: "elset",
+      sharp_angle: 40,
+    },
+  };
+  const before = { ...untouched, status, touched: new Set(["marks", "colour", "camera"]) };
+  const other = openingSettings(own, before).settings;
+  assert.deepEqual(other.filters?.groups?.hidden, []);
+  assert.equal(other.colour?.grouping, "");
+  assert.deepEqual(
+    other.marks,
+    { ...defaults.marks, sharp_angle: 40 },
+    "what means the same of any mesh stays",
+  );
+  const same = openingSettings(own, { ...before, renewed: true, same: true, alike: true }).settings;
+  assert.deepEqual(same.marks, status.marks);
+  assert.deepEqual(same.filters?.groups, status.filters.groups);
 });
 
 test("S1: a unit that was named is one file's: it stays with this, and no other mesh takes it over", () => {

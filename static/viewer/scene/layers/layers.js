@@ -1,4 +1,5 @@
 import { ArrowsLayer } from "./arrows_layer.js";
+import { MarksLayer } from "./marks_layer.js";
 import { around } from "../../geometry/box.js";
 import { CATEGORIES } from "../../colours/palettes.js";
 import { CellColours } from "./cell_colours.js";
@@ -46,6 +47,7 @@ export class Layers {
   silhouette = new SilhouetteLayer();
   irregular = new IrregularLayer();
   arrows = new ArrowsLayer();
+  marks = new MarksLayer();
   plane = new PlaneLayer();
   highlight = new HighlightLayer();
   outline = new OutlineLayer();
@@ -64,7 +66,7 @@ export class Layers {
     this.#painter = painter;
     painter.backdrop.add(this.silhouette.group);
     painter.model.add(this.surface.mesh);
-    painter.ink.add(this.arrows.group, this.edges.group, this.irregular.group);
+    painter.ink.add(this.arrows.group, this.edges.group, this.marks.group, this.irregular.group);
     painter.overlay.add(this.plane.group, this.highlight.group, this.outline.group);
     painter.veil.add(this.seeThrough.group);
   }
@@ -133,8 +135,9 @@ export class Layers {
 
   /** All that is drawn is within; null where nothing is. */
   get box() {
-    const { surface, silhouette, seeThrough, irregular, arrows, plane, outline } = this;
-    return around([surface, silhouette, seeThrough, irregular, arrows, plane, outline].map(({ box }) => box));
+    const { surface, silhouette, seeThrough, irregular, arrows, marks, plane, outline } = this;
+    const parts = [surface, silhouette, seeThrough, irregular, arrows, marks, plane, outline];
+    return around(parts.map(({ box }) => box));
   }
 
   /** Edges of the surface. @returns {number} */
@@ -174,6 +177,7 @@ export class Layers {
       this.edges,
       this.irregular,
       this.arrows,
+      this.marks,
       this.plane,
       this.highlight,
       this.outline,
@@ -212,7 +216,7 @@ export class Layers {
   }
 
   dispose() {
-    const { surface, edges, silhouette, irregular, arrows } = this;
+    const { surface, edges, silhouette, irregular, arrows, marks } = this;
     const { plane, highlight, outline, seeThrough, gizmo, colours } = this;
     for (const layer of [
       surface,
@@ -220,6 +224,7 @@ export class Layers {
       silhouette,
       irregular,
       arrows,
+      marks,
       plane,
       highlight,
       outline,
