@@ -19,7 +19,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from difflib import get_close_matches
+from importlib import import_module
 from math import isfinite
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -218,8 +218,15 @@ def _nearest(key: str, value: Any) -> str:
     known = KNOWN.get(key)
     if known is None:
         return ""
-    near = get_close_matches(str(value).lower().replace(" ", "_").replace("-", "_"), known, 1)
+    try:
+        near = import_module("difflib").get_close_matches(_plain(value), known, 1)
+    except ModuleNotFoundError:  # in a browser
+        near = [name for name in known if name == _plain(value)]
     return f"; did you mean {near[0]}?" if near else f", one of {', '.join(known)}"
+
+
+def _plain(value: Any) -> str:
+    return str(value).lower().replace(" ", "_").replace("-", "_")
 
 
 def _told(value: Any) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import platform
+import sys
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -140,7 +140,7 @@ def collect(
         "version": VERSION,
         "made_by": {
             "hexalab": __version__,
-            "python": platform.python_version(),
+            "python": sys.version.split()[0],
             "numpy": np.__version__,
         },
         "file": _file(mesh, about),

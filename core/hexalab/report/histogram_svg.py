@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from html import escape
 from typing import Any
 
 from ..words import count, counted, number
+from .escaping import escape
 
 WIDTH, HEIGHT = 240, 92
 LEFT, RIGHT, TOP, BOTTOM = 4, 4, 14, 24

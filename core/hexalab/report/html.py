@@ -6,11 +6,11 @@ import base64
 import hashlib
 import re
 from collections.abc import Sequence
-from html import escape
 from typing import Any, NamedTuple
 
 from ..words import count
 from . import told
+from .escaping import escape
 from .histogram_svg import histogram_svg
 from .pictures import ReportPicture
 from .style import STYLE

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import Any
-from xml.sax.saxutils import escape, quoteattr
 
 from . import told
+from .escaping import escape, quoted
 from .judging import MISSED, UNMEASURED
 from .pictures import ReportPicture
 
@@ -26,19 +26,19 @@ def junit_of(facts: Facts, _pictures: Sequence[ReportPicture] = ()) -> str:
     asked = {check["of"] for check in facts["verdict"]["checks"] if check["kind"] == "finding"}
     for finding, (_, message, where) in zip(facts["findings"], told.finding_rows(facts), strict=True):
         if finding["severity"] == "error" and finding["id"] not in asked:
-            words = quoteattr(f"{message} No criterion asks for it. {where}".rstrip())
+            words = quoted(f"{message} No criterion asks for it. {where}".rstrip())
             cases.append(_case("finding", f"Finding {finding['id']}", f"<skipped message={words}/>"))
     counts = (
         f'tests="{len(cases)}" failures="{sum("<failure" in case for case in cases)}" errors="0" '
         f'skipped="{sum("<skipped" in case for case in cases)}" time="0"'
     )
-    name = quoteattr(facts["file"]["name"] or "mesh")
+    name = quoted(facts["file"]["name"] or "mesh")
     rows = {
         **dict(told.file_rows(facts)),
         **{f"version of {what}": of for what, of in facts["made_by"].items()},
     }
     properties = "".join(
-        f"<property name={quoteattr(what)} value={quoteattr(value)}/>\n" for what, value in rows.items()
+        f"<property name={quoted(what)} value={quoted(value)}/>\n" for what, value in rows.items()
     )
     return (
         '<?xml version="1.0" encoding="UTF-8"?>\n'
@@ -48,11 +48,11 @@ def junit_of(facts: Facts, _pictures: Sequence[ReportPicture] = ()) -> str:
 
 
 def _case(kind: str, title: str, outcome: str) -> str:
-    return f'<testcase classname="hexalab.{kind}" name={quoteattr(title)} time="0">{outcome}</testcase>\n'
+    return f'<testcase classname="hexalab.{kind}" name={quoted(title)} time="0">{outcome}</testcase>\n'
 
 
 def _outcome(check: Facts, where: str) -> str:
     words = f"{check['found']} {where}".rstrip()
     if check["state"] == MISSED:
-        return f'<failure type="{check["kind"]}" message={quoteattr(words)}>{escape(words)}</failure>'
-    return f"<skipped message={quoteattr(words)}/>" if check["state"] == UNMEASURED else ""
+        return f'<failure type="{check["kind"]}" message={quoted(words)}>{escape(words)}</failure>'
+    return f"<skipped message={quoted(words)}/>" if check["state"] == UNMEASURED else ""
