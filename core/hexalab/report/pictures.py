@@ -26,6 +26,7 @@ ROOM = 1.1
 COLOURED = {
     "colour": {"by": "quality", "metric": "scaled_jacobian"},
     "lighting": {"shade": 0.5},
+    "irregular": {"mode": 0},
     "figure": {"legend": "bar"},
 }
 FIGURE = {
@@ -173,7 +174,6 @@ def _close_up(mesh: Mesh, frame: Frame, view: View, cell: int) -> dict[str, Any]
             "picking": {"isolated": True, "shown": shown.tolist()},
         },
         "silhouette": 0,
-        "irregular": {"mode": 0},
         "marks": {"corners": False, "edges": False},
     }
 

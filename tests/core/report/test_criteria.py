@@ -56,6 +56,7 @@ READ = [
 
 
 def test_yaml_and_json_say_the_same(tmp_path: Path) -> None:
+    needs("yaml")
     yaml = tool("yaml")
     (tmp_path / "criteria.yaml").write_text(EXAMPLE)
     assert read_criteria(tmp_path / "criteria.yaml") == READ, "1e-3 is a number"
@@ -182,6 +183,9 @@ def test_a_share_is_exact_for_every_number_of_cells() -> None:
             bad = line(*[0.5] * few, *[1.0] * (cells - few))
             assert state(bad, metric="volume", minimum=0.9, share=few / cells) == "passed", (cells, few)
         assert state(mesh, metric="volume", minimum=1.1, share=(cells - 0.5) / cells) == "missed"
+    assert 0.29 * 100 < 29
+    hundred = line(*[0.5] * 29, *[1.0] * 71)
+    assert state(hundred, metric="volume", minimum=0.9, share=0.29) == "passed"
 
 
 def test_the_cells_that_miss_it_are_told_the_worst_first() -> None:

@@ -8,8 +8,11 @@ import numpy as np
 import pytest
 
 from hexalab.mesh import Mesh
+from hexalab.report import poses
 from hexalab.session import Session
 from hexalab.status import check
+from hexalab.status.views import three_quarters
+from hexalab.surface.frame import frame_of
 from tests.core.conftest import grid_points, medit
 
 from .decks import BAD, EMPTY, deck
@@ -71,6 +74,16 @@ def test_what_is_not_finite_is_worst_and_what_can_not_be_drawn_is_passed_over() 
     session = Session({"odd": lambda: mesh})
     session.open_offered("odd")
     assert str(session.report_poses()[2]["title"]).startswith("Cell 0, the worst by Scaled Jacobian (1.000)")
+
+
+@pytest.mark.parametrize("odd", [np.nan, -np.inf])
+def test_of_cells_without_a_finite_value_the_smallest_is_shown(odd: float) -> None:
+    points, cells = grid_points((4, 1, 1))
+    mesh = Mesh.from_cells(points, cells)
+    view = three_quarters([4, 1, 1])
+    quality, volume = np.array([odd, 0.1, odd, odd]), np.array([3.0, -5, 1, 2])
+    found = poses(mesh, frame_of(mesh), view, quality, volume, "none")
+    assert found[2].title.startswith("Cell 2, the worst by Scaled Jacobian (not finite)")
 
 
 def test_a_mesh_of_nothing_has_no_pictures() -> None:
