@@ -37,6 +37,13 @@ def listed_groups(groups: Sequence[Group]) -> list[dict[str, Any]]:
     ]
 
 
+def called(group: dict[str, Any]) -> str:
+    """Write what a listed group is called: of one that is known by a number alone, with its origin."""
+    if group["name"] == str(group["number"]):
+        return f"{group['origin']} {group['name']}"
+    return f"{group['name']} ({group['origin']})"
+
+
 def listed_features(mesh: Mesh) -> dict[str, dict[str, Any]]:
     """What features there are: for "corners", "edges" and "faces" each `count`, `lost`, `groups`.
 

@@ -141,6 +141,17 @@ def test_A1_a_whole_conversation(ask: Ask, said: set[str], attributed: bytes, tw
     assert say("describe", "faces") == {"faces": 29, "boundary_faces": 22, "nonmanifold_faces": 0}
     assert say("validity")["valid"] == 6
 
+    told = {
+        form: say("report", form, {"sha256": "ab" * 32})["text"] for form in ("html", "md", "json", "xml")
+    }
+    assert all("ab" * 32 in text and "grid.vtk" in text for text in told.values())
+    assert say("report", "json", {}, [], [{"metric": "volume", "minimum": 2}])["passed"] is False
+    with pytest.raises(
+        Refused, match=r"criteria\[0\]\.metric: found 'Volume', expected .*; did you mean volume"
+    ):
+        say("report", "json", {}, [], [{"metric": "Volume", "minimum": 2}])
+    assert len(say("report_poses", "mm")) == 3
+
     with pytest.raises(Refused, match=r"bad\.mesh.*line") as refused:
         say("open", "bad.mesh", b"MeshVersionFormatted 2\nDimension 3\nVertices\n3\n0 0")
     assert refused.value.kind == "MeshReadError"

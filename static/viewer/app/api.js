@@ -164,6 +164,22 @@ export class HexaLab {
     return this.#app.turntable.file(options);
   }
 
+  /**
+   * The report of the open mesh: what it is, and whether it passes.
+   *
+   * @param {string} [form] "html" with pictures, "md", "json" or "xml" (JUnit)
+   * @param {import("../state/leaving.js").ReportWanted} [wanted]
+   * @returns {Promise<{ file: Blob, ending: string, passed: boolean, notes: readonly string[] }>} notes: what it lacks
+   */
+  report(form = "html", wanted = {}) {
+    return this.#app.reports.file(form, wanted);
+  }
+
+  /** The pictures of a report: what each shows, and a PNG. @returns {Promise<{ title: string, alt: string, picture: Blob }[]>} */
+  reportPictures() {
+    return this.#app.reports.pictures();
+  }
+
   /** Statistics of a metric or an attribute over the mesh. @param {string} quantity id @returns {Promise<import("../state/answers.js").Statistics>} */
   quality(quantity) {
     return this.#app.client.call("quality", [quantity]);

@@ -41,6 +41,7 @@ const METHODS = new Map([
   ["surface", true],
   ["page", true],
   ["turntable", true],
+  ["report", true],
   ["batch", false],
   ["drawn", true],
   ["timings", true],

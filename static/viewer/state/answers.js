@@ -153,6 +153,16 @@
  * @property {number} vertices
  * @property {string[]} notes what its format has no place for
  *
+ * @typedef {object} Report  of the open mesh
+ * @property {string} text
+ * @property {string} ending of a file that holds it, without the dot
+ * @property {boolean} passed
+ *
+ * @typedef {object} ReportPose  a picture that a report asks for
+ * @property {string} title what stands below it
+ * @property {string} alt what is seen
+ * @property {PartialStatus} status
+ *
  * @typedef {object} Preview  summary and first picture of a mesh of the catalogue, packed when the site is built
  * @property {BriefSummary} summary
  * @property {number} shown_cells

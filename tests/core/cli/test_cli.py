@@ -19,9 +19,9 @@ import numpy as np
 import pytest
 
 from hexalab import Group, Mesh, cli, read, write
-from hexalab.cli.tables import number
 from hexalab.diagnosis import TURNED
 from hexalab.quality import METRICS
+from hexalab.words import number
 from tests.tools import needs
 
 ROOT = Path(__file__).parents[3]

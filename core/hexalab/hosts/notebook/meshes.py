@@ -40,6 +40,9 @@ class MeshOffer:
         """It was read from no file."""
         return ""
 
+    def size(self) -> None:
+        """It was read from no file."""
+
 
 def offer_of(thing: Any) -> Offer:
     """Make whatever is to be shown a mesh at hand.
