@@ -1,4 +1,5 @@
 import { Superseded } from "../core/client.js";
+import { decimal } from "../state/numbers.js";
 import { cameraOnCell } from "../state/camera.js";
 import { planesOf, withPlane } from "../state/planes.js";
 import { quantityOf } from "../state/quantity.js";
@@ -110,9 +111,13 @@ export class Cells {
           },
         );
       else if (found.cell < 0)
-        messages.say("note", `No element has node ${number}: it lies at ${found.place.join(", ")}`, {
-          topic: "go",
-        });
+        messages.say(
+          "note",
+          `No element has node ${number}: it lies at ${found.place.map((one) => decimal(one)).join(", ")}`,
+          {
+            topic: "go",
+          },
+        );
     } catch (error) {
       if (!(error instanceof Superseded)) messages.error(error, { topic: "go" });
     }

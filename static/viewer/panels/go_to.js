@@ -35,7 +35,6 @@ export function goTo(context) {
     inputmode: "numeric",
     autocomplete: "off",
     spellcheck: "false",
-    placeholder: "number",
     oninput: () => input.setCustomValidity(""),
   });
   const form = h(
@@ -46,7 +45,10 @@ export function goTo(context) {
         event.preventDefault();
         const goal = parseGoal(input.value, kind.value === "vertex" ? "vertex" : "cell");
         if (goal) return void context.app.goTo(goal.kind, goal.number);
-        input.setCustomValidity(`“${input.value}” is no number: expected one such as 1043, or node 12`);
+        const found = input.value.trim();
+        input.setCustomValidity(
+          `${found ? `“${found}” is no number` : "No number"}: expected one such as 1043, or node 12`,
+        );
         input.reportValidity();
       },
     },
