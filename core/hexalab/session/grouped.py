@@ -36,6 +36,7 @@ class GroupBook:
         self._mesh = mesh
         self._colours: dict[str, NDArray[np.int32]] = {}
         self._interfaces: dict[str, dict[tuple[int, int], Array]] = {}
+        self._tables: dict[str, list[dict[str, Any]]] = {}
 
     @cached_property
     def every(self) -> tuple[Group, ...]:
@@ -98,6 +99,11 @@ class GroupBook:
             For each pair `groups` (two ids; None stands for cells in no group), `faces` (those that both share),
             `apart` (pairs of faces that lie on each other and are not joined), `colour` of the faces.
         """
+        if origin not in self._tables:
+            self._tables[origin] = self._interface_table(origin)
+        return self._tables[origin]
+
+    def _interface_table(self, origin: str) -> list[dict[str, Any]]:
         grouping, shared = self.grouping(origin), self.interfaces(origin)
         apart_too = touching(self._mesh, grouping)
         colours = {pair: place % PAIR_COLOURS for place, pair in enumerate(shared)}

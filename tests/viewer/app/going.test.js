@@ -47,7 +47,7 @@ function parts(answers) {
 
 test("R11: an element is isolated with what lies around it, inspected and flown to", async () => {
   const { cells, store, facts, asked, said } = parts({ find: FOUND });
-  await cells.goTo("cell", 1301);
+  assert.equal(await cells.goTo("cell", 1301), true);
   assert.deepEqual(asked[0], ["find", "cell", 1301, [0, 0, -1]]);
   const { picking } = store.status.filters;
   assert.deepEqual([picking.isolated, picking.shown], [true, [7, 41, 52]]);
@@ -74,7 +74,7 @@ test("R11: one step of undo leads back, whatever was picked before", async () =>
 test("R11: a number that is not there is told in the core's words, and nothing moves", async () => {
   const wrong = new Error("the mesh has no element 5: its numbers are from 1,001 to 6,758");
   const { cells, store, said } = parts({ find: wrong });
-  await cells.goTo("cell", 5);
+  assert.equal(await cells.goTo("cell", 5), false);
   assert.deepEqual(said(), [["error", wrong.message]]);
   assert.equal(store.status.filters.picking.isolated, false);
 });
@@ -98,7 +98,7 @@ test("R11: a number that several have says so", async () => {
 test("R11: a node that no element has is told with its place, and nothing is hidden", async () => {
   const lone = { rows: [3], cell: -1, around: new Uint32Array(0), place: [1 / 3, 0, -2] };
   const { cells, store, facts, asked, said } = parts({ find: lone });
-  await cells.goTo("vertex", 3);
+  assert.equal(await cells.goTo("vertex", 3), false, "nothing was changed that an undo would bring back");
   assert.deepEqual(said(), [["note", "No element has node 3: it lies at 0.333, 0.000, −2.000"]]);
   assert.equal(store.status.filters.picking.isolated, false);
   assert.equal(facts.get("cell"), null);
