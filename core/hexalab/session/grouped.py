@@ -37,6 +37,7 @@ class GroupBook:
         self._mesh = mesh
         self._colours: dict[str, NDArray[np.int32]] = {}
         self._interfaces: dict[str, dict[tuple[int, int], Array]] = {}
+        self._tables: dict[str, list[dict[str, Any]]] = {}
 
     @cached_property
     def every(self) -> tuple[Group, ...]:
@@ -100,6 +101,11 @@ class GroupBook:
             `apart` (faces of the one that lie on the other
             and are not joined to it; see `hexalab.contacts`), `colour` of the faces.
         """
+        if origin not in self._tables:
+            self._tables[origin] = self._interface_table(origin)
+        return self._tables[origin]
+
+    def _interface_table(self, origin: str) -> list[dict[str, Any]]:
         grouping, shared = self.grouping(origin), self.interfaces(origin)
         apart_too = contacts(self._mesh, grouping.labels)
         colours = {pair: place % PAIR_COLOURS for place, pair in enumerate(shared)}

@@ -1,4 +1,5 @@
 import { Superseded } from "../core/client.js";
+import { decimal } from "../state/numbers.js";
 import { cameraOnCell } from "../state/camera.js";
 import { planesOf, withPlane } from "../state/planes.js";
 import { quantityOf } from "../state/quantity.js";
@@ -89,7 +90,7 @@ export class Cells {
    * Go to a cell or a vertex by the number that the file gives it: it is isolated with what lies around it, but for cells that
    * would hide it from the eye, and flown to; one step of undo leads back.
    *
-   * @param {"cell" | "vertex"} kind @param {number} number
+   * @param {"cell" | "vertex"} kind @param {number} number @returns {Promise<boolean>} whether one is there
    */
   async goTo(kind, number) {
     const { client, store, messages, views } = this.#app;
@@ -101,20 +102,19 @@ export class Cells {
       if (found.around.length) await views.flyToShown();
       messages.settle("go");
       const { length } = found.rows;
+      const note = (/** @type {string} */ text) => messages.say("note", text, { topic: "go" });
       if (length > 1)
-        messages.say(
-          "note",
+        note(
           `${length} ${kind === "cell" ? "elements" : "nodes"} have the number ${number}: this is the first`,
-          {
-            topic: "go",
-          },
         );
       else if (found.cell < 0)
-        messages.say("note", `No element has node ${number}: it lies at ${found.place.join(", ")}`, {
-          topic: "go",
-        });
+        note(
+          `No element has node ${number}: it lies at ${found.place.map((one) => decimal(one)).join(", ")}`,
+        );
+      return found.around.length > 0;
     } catch (error) {
       if (!(error instanceof Superseded)) messages.error(error, { topic: "go" });
+      return false;
     }
   }
 

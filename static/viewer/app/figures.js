@@ -6,7 +6,7 @@ import { layOut, wrapped } from "../figure/layout.js";
 import { cutTo, LARGEST } from "../figure/cut.js";
 import { contentOf, cropped, dataAddress, rasterised } from "../figure/raster.js";
 import { writeStatus } from "../files/png_text.js";
-import { groupName, groupsOf, originName } from "../state/groups.js";
+import { groupKeys, groupName, groupsOf, originName } from "../state/groups.js";
 import { KIND_NAMES, KINDS } from "../state/kinds.js";
 import { inOneLine } from "../state/entry.js";
 import { panelsOf } from "../state/panels.js";
@@ -254,22 +254,16 @@ export class Figures {
     return store.status.figure.legend_title || originName(facts.get("colour")?.label ?? "");
   }
 
-  /** Colours of the groups, the largest first where there are many; what is in none is grey. */
+  /** Colours of the groups, of the largest where there are many; what is in none is grey. */
   #groupColours() {
     const { store, facts } = this.#app;
     const drawn = facts.get("colour");
-    const rows = new Map(groupsOf(facts).map((group) => [group.id, group]));
-    const known = (drawn?.groups ?? []).map(({ id, colour }) => ({ colour, group: rows.get(id) }));
-    const most = [...known].sort((a, b) => (b.group?.count ?? 0) - (a.group?.count ?? 0)).slice(0, MOST_KEYS);
-    const keys = known
-      .filter((one) => most.includes(one))
-      .map(({ colour, group }) => ({
-        colour: categoryColour("group", colour),
-        name: group ? groupName(group) : "",
-      }));
-    const more = known.length - keys.length;
+    const { keys, more } = groupKeys(drawn, groupsOf(facts), MOST_KEYS);
     return [
-      ...keys,
+      ...keys.map(({ colour, group }) => ({
+        colour: categoryColour("group", colour),
+        name: groupName(group),
+      })),
       ...(more > 0 ? [{ colour: store.status.background, name: `and ${more} more` }] : []),
       ...(drawn?.without ? [{ colour: store.status.colour.missing, name: "in none" }] : []),
     ];

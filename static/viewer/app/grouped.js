@@ -3,6 +3,8 @@ import { Superseded } from "../core/client.js";
 /** What of groups is measured when it is asked for. */
 export class Grouped {
   #app;
+  /** What is under way, by method and arguments, and the mesh that it is of. @type {Map<string, object | null>} */
+  #asked = new Map();
 
   /** @param {import("./app.js").App} app */
   constructor(app) {
@@ -24,18 +26,22 @@ export class Grouped {
   /**
    * @template {"group_table" | "interfaces"} Method
    * @param {Method} method @param {import("../core/types.js").Methods[Method]["args"]} args
-   * @returns {Promise<import("../core/types.js").Methods[Method]["answer"] | null>} null if it failed, or the mesh went
+   * @returns {Promise<import("../core/types.js").Methods[Method]["answer"] | null>} null if it failed, is under way already, or the mesh went
    */
   async #ask(method, args) {
     const { facts, client, messages } = this.#app;
     const summary = facts.get("summary");
-    if (facts.get("core") !== "ready") return null;
+    const key = JSON.stringify([method, args]);
+    if (facts.get("core") !== "ready" || this.#asked.get(key) === summary) return null;
+    this.#asked.set(key, summary);
     try {
       const found = await client.call(method, args, { replace: method });
       return facts.get("summary") === summary ? found : null;
     } catch (error) {
       if (!(error instanceof Superseded)) messages.error(error, { topic: method });
       return null;
+    } finally {
+      if (this.#asked.get(key) === summary) this.#asked.delete(key);
     }
   }
 }

@@ -50,14 +50,16 @@ const KNOTS = {
 /**
  * Colours of categories, by their numbers. Kinds: hexahedron, wedge, pyramid, tetrahedron, other, in the order of the core's
  * `SHAPES`. Parts: of the schemes of Paul Tol (SRON/EPS/TN/09-002, 2021) and of Okabe and Ito (2008) eight that are farthest apart
- * to usual eyes and to those that lack a kind of cone; past the last it begins again.
+ * to usual eyes and to those that lack a kind of cone; past the last it begins again. Groups: twelve, searched for on a grid of sRGB
+ * so that the least distance in CIELAB is as large as can be to the same eyes (first six 24, all 17), light enough for dark lines to
+ * be read on them (lightness from 58), and away from the grey of what is in no group.
  *
  * @type {Record<string, readonly string[]>}
  */
 export const CATEGORIES = {
   kind: ["#f2efe8", "#e5a04c", "#5aa9a0", "#a06ab4", "#c8372d"],
   group: [
-    "#4477aa", "#eedd88", "#d55e00", "#99ddff", "#117733", "#ffaabb", "#aa4499", "#bbcc33", "#882255", "#44bb99", "#dddddd", "#997700",
+    "#6688ee", "#ffcc66", "#aaeedd", "#44aa77", "#cc7733", "#bb77bb", "#00ccff", "#eeddaa", "#00eeff", "#88bb66", "#ccaacc", "#eeaaaa",
   ], // prettier-ignore
   part: ["#77aadd", "#ee8866", "#bbcc33", "#ffaabb", "#4477aa", "#eedd88", "#d55e00", "#cc6677"],
 };

@@ -22,6 +22,15 @@ function unfold(section) {
   if (element.open) element.scrollIntoView({ block: "nearest" });
 }
 
+/** The field for a number, wherever the panel stands. */
+function askForNumber() {
+  const field = /** @type {HTMLInputElement | null} */ (document.getElementById("go-to"));
+  const section = field?.closest("details");
+  if (section) section.open = true;
+  field?.focus();
+  field?.select();
+}
+
 /** @param {import("../state/facts.js").Tool} tool @returns {KeyRow["press"]} */
 const take =
   (tool) =>
@@ -80,7 +89,7 @@ export const KEYS = [
     group: "Mesh",
     keys: ["n"],
     what: "Go to an element or a node by its number",
-    press: () => document.getElementById("go-to")?.focus(),
+    press: askForNumber,
   },
   { group: "Mesh", keys: ["PageUp"], what: "Mesh before, in its source", press: (app) => app.openBeside(-1) },
   { group: "Mesh", keys: ["PageDown"], what: "Mesh after, in its source", press: (app) => app.openBeside(1) },

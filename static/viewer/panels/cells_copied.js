@@ -42,10 +42,8 @@ export function cellsCopied(context, cells, name) {
   );
   return h(
     "div",
-    { class: "actions copy-cells" },
-    h("span", { class: "quiet" }, "As"),
-    form,
-    button,
+    { class: "copy-cells" },
+    h("div", { class: "copy-row" }, h("span", { class: "quiet" }, "Copy as"), form, button),
     said,
     text,
   );

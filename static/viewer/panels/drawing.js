@@ -1,6 +1,6 @@
 import { categoryColour } from "../colours/palettes.js";
 import { optionsOf } from "../state/choices.js";
-import { byOrigin, groupingOf, groupsOf, originName } from "../state/groups.js";
+import { byOrigin, groupingOf, groupKeys, groupName, groupsOf, originName } from "../state/groups.js";
 import { count, typed } from "../state/numbers.js";
 import { watch } from "../widgets/bind.js";
 import { wholeNumber } from "../widgets/controls.js";
@@ -99,6 +99,7 @@ export const drawing = {
         [...byOrigin(groupsOf(facts)).keys()].map((value) => ({ value, name: originName(value) })),
       hidden: (context) => colouredBy(context) !== "group",
     },
+    { kind: "custom", render: groupLegend },
     {
       kind: "colours",
       label: "",
@@ -195,15 +196,47 @@ function kindLegend(context) {
     element.hidden = colouredBy(context) !== "kind";
     element.replaceChildren(
       ...KINDS.filter((kind) => counts[kind]).map((kind) =>
-        h(
-          "li",
-          {},
-          swatch(categoryColour("kind", KINDS.indexOf(kind))),
-          h("span", { class: "category-name" }, KIND_NAMES[kind][counts[kind] === 1 ? 0 : 1]),
-          h("span", { class: "category-count" }, count(counts[kind])),
+        legendRow(
+          categoryColour("kind", KINDS.indexOf(kind)),
+          KIND_NAMES[kind][counts[kind] === 1 ? 0 : 1],
+          counts[kind],
         ),
       ),
     );
   });
   return element;
+}
+
+/** Groups that the legend in the panel names; the section of groups has all. */
+const MOST_KEYS = 12;
+
+/** Which colour is which group. @param {Context} context */
+function groupLegend(context) {
+  const element = h("ul", { class: "categories", "aria-label": "Colours of the groups" });
+  watch(context, { status: ["colour"], facts: ["colour", "description"] }, () => {
+    const { by, missing } = context.store.status.colour;
+    const colour = context.facts.get("colour");
+    element.hidden = by !== "group" || !colour?.groups;
+    if (element.hidden) return element.replaceChildren();
+    const { keys, more } = groupKeys(colour, groupsOf(context.facts), MOST_KEYS);
+    element.replaceChildren(
+      ...keys.map((key) =>
+        legendRow(categoryColour("group", key.colour), groupName(key.group), key.group.count),
+      ),
+      ...(more ? [h("li", { class: "quiet" }, `and ${count(more)} more`)] : []),
+      ...(colour?.without ? [legendRow(missing, "in none", colour.without)] : []),
+    );
+  });
+  return element;
+}
+
+/** @param {string} colour @param {string} name @param {number} number of cells */
+function legendRow(colour, name, number) {
+  return h(
+    "li",
+    {},
+    swatch(colour),
+    h("span", { class: "category-name", title: name }, name),
+    h("span", { class: "category-count" }, count(number)),
+  );
 }

@@ -1,9 +1,9 @@
 import { markColour } from "../colours/marks.js";
-import { DIMENSIONS, FEATURE_NAMES, groupName } from "../state/groups.js";
+import { DIMENSIONS, FEATURE_NAMES } from "../state/groups.js";
 import { count, counted } from "../state/numbers.js";
 import { watch } from "../widgets/bind.js";
 import { h } from "../widgets/dom.js";
-import { swatch } from "../widgets/swatch.js";
+import { GroupRows } from "./group_rows.js";
 
 /** @typedef {import("../widgets/bind.js").Context} Context @typedef {import("../state/groups.js").Dimension} Dimension */
 
@@ -45,35 +45,43 @@ export const features = {
 /** The file's corners, edges and faces: drawn or not, group by group. @param {Context} context */
 function featureList(context) {
   const element = h("div", { class: "group-list" });
+  /** @type {unknown} */
+  let known = null;
+  /** @type {ReturnType<typeof part>[]} */
+  let made = [];
   watch(context, { facts: ["description"], status: ["marks"] }, () => {
-    const focused = document.activeElement instanceof HTMLElement ? document.activeElement.dataset.key : null;
-    const some = DIMENSIONS.filter((name) => rowsOf(context, name)?.count);
-    element.hidden = !some.length;
-    element.replaceChildren(...some.map((name) => part(context, name)));
-    if (focused)
-      /** @type {HTMLElement | null} */ (
-        element.querySelector(`[data-key="${CSS.escape(focused)}"]`)
-      )?.focus();
+    const found = context.facts.get("description")?.features;
+    if (found !== known) {
+      known = found;
+      made = DIMENSIONS.filter((name) => rowsOf(context, name)?.count).map((name) => part(context, name));
+      element.hidden = !made.length;
+      element.replaceChildren(...made.map((one) => one.element));
+    }
+    for (const one of made) one.update();
   });
   return element;
 }
 
 /** @param {Context} context @param {Dimension} name */
-function part(context, name) {
-  const { store } = context;
-  const found = rowsOf(context, name);
+function part({ store, facts }, name) {
+  const found = facts.get("description")?.features?.[name];
   const box = h("input", {
     type: "checkbox",
     class: "row-switch",
     "aria-label": `Feature ${name} drawn`,
-    "data-key": name,
     onchange: () => store.set({ marks: { [name]: box.checked } }),
   });
-  box.checked = store.status.marks[name];
-  const lost = found?.lost
-    ? h("p", { class: "outside" }, `${count(found.lost)} not of the mesh: drawn in red`)
-    : null;
-  return h(
+  const colours = new Map((found?.groups ?? []).map(({ id, colour }) => [id, colour]));
+  const idOf = (/** @type {{ id: string }} */ group) => `${name}:${group.id}`;
+  const rows = new GroupRows(found?.groups ?? [], {
+    label: `of the feature ${name} drawn`,
+    turn: (group, on) => {
+      const others = store.status.marks.hidden.filter((one) => one !== idOf(group));
+      const marks = { hidden: on ? others : [...others, idOf(group)] };
+      store.set({ marks: on && !store.status.marks[name] ? { ...marks, [name]: true } : marks });
+    },
+  });
+  const element = h(
     "section",
     { class: "group-part" },
     h(
@@ -86,40 +94,20 @@ function part(context, name) {
         h("h3", {}, counted(found?.count ?? 0, ...FEATURE_NAMES[name])),
       ),
     ),
-    h("ul", { class: "parts" }, ...(found?.groups ?? []).map((group) => row(context, name, group))),
-    lost,
+    rows.element,
+    found?.lost ? h("p", { class: "outside" }, `${count(found.lost)} not in the mesh: drawn in red`) : null,
   );
-}
-
-/** @param {Context} context @param {Dimension} dimension @param {import("../state/answers.js").FeatureGroup} group */
-function row(context, dimension, group) {
-  const { store } = context;
-  const id = `${dimension}:${group.id}`;
-  const name = groupName(group);
-  const box = h("input", {
-    type: "checkbox",
-    class: "row-switch",
-    "aria-label": `${name} of the feature ${dimension} drawn`,
-    "data-key": id,
-    onchange: () => {
-      const others = store.status.marks.hidden.filter((one) => one !== id);
-      const marks = { hidden: box.checked ? others : [...others, id] };
-      store.set({
-        marks: box.checked && !store.status.marks[dimension] ? { ...marks, [dimension]: true } : marks,
-      });
-    },
-  });
-  box.checked = store.status.marks[dimension] && !store.status.marks.hidden.includes(id);
-  return h(
-    "li",
-    {},
-    h(
-      "label",
-      { class: "part-name", title: name },
-      box,
-      group.colour !== null && swatch(markColour(group.colour)),
-      h("span", { class: "group-name" }, name),
-    ),
-    h("span", { class: "category-count" }, count(group.count)),
-  );
+  const update = () => {
+    const { marks } = store.status;
+    const hidden = new Set(marks.hidden);
+    box.checked = marks[name];
+    rows.update(
+      (group) => marks[name] && !hidden.has(idOf(group)),
+      ({ id }) => {
+        const colour = colours.get(id) ?? null;
+        return colour === null ? null : markColour(colour);
+      },
+    );
+  };
+  return { element, update };
 }

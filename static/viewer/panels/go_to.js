@@ -20,6 +20,10 @@ export function parseGoal(text, otherwise) {
   return { kind, number: Number(match[2]) };
 }
 
+/** @param {KeyboardEvent} event */
+const isUndo = ({ key, ctrlKey, metaKey, shiftKey, altKey }) =>
+  (ctrlKey || metaKey) && !shiftKey && !altKey && key.toLowerCase() === "z";
+
 /** Go to an element or a node by the number that the file gives it (SPEC R11). @param {Context} context */
 export function goTo(context) {
   const kind = h(
@@ -28,6 +32,13 @@ export function goTo(context) {
     h("option", { value: "cell" }, "element"),
     h("option", { value: "vertex" }, "node"),
   );
+  /** What was typed for where one has gone to last. */
+  let gone = "";
+  const go = async (/** @type {{ kind: "cell" | "vertex", number: number }} */ goal) => {
+    const asked = input.value;
+    input.select();
+    gone = (await context.app.goTo(goal.kind, goal.number)) ? asked : "";
+  };
   const input = h("input", {
     type: "text",
     class: "text",
@@ -35,8 +46,15 @@ export function goTo(context) {
     inputmode: "numeric",
     autocomplete: "off",
     spellcheck: "false",
-    placeholder: "number",
     oninput: () => input.setCustomValidity(""),
+    onkeydown: (/** @type {KeyboardEvent} */ event) => {
+      // The field keeps the focus for the next number; right after one, undo means the way there.
+      if (!isUndo(event) || !gone || input.value !== gone) return;
+      event.preventDefault();
+      event.stopPropagation();
+      gone = "";
+      context.store.undo();
+    },
   });
   const form = h(
     "form",
@@ -45,8 +63,11 @@ export function goTo(context) {
       onsubmit: (/** @type {SubmitEvent} */ event) => {
         event.preventDefault();
         const goal = parseGoal(input.value, kind.value === "vertex" ? "vertex" : "cell");
-        if (goal) return void context.app.goTo(goal.kind, goal.number);
-        input.setCustomValidity(`“${input.value}” is no number: expected one such as 1043, or node 12`);
+        if (goal) return void go(goal);
+        const found = input.value.trim();
+        input.setCustomValidity(
+          `${found ? `“${found}” is no number` : "No number"}: expected one such as 1043, or node 12`,
+        );
         input.reportValidity();
       },
     },

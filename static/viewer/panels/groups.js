@@ -1,27 +1,32 @@
-import { categoryColour } from "../colours/palettes.js";
 import { markColour } from "../colours/marks.js";
-import { byOrigin, groupName, groupsInWords, groupsOf, originName } from "../state/groups.js";
-import { count, counted, decimal } from "../state/numbers.js";
+import { byOrigin, groupsInWords, groupsOf, originName } from "../state/groups.js";
+import { counted } from "../state/numbers.js";
 import { clear, dig, isClear, isolate, undig } from "../state/picking.js";
 import { watch } from "../widgets/bind.js";
-import { h } from "../widgets/dom.js";
-import { swatch } from "../widgets/swatch.js";
+import { h, setAttribute, setText } from "../widgets/dom.js";
+import { groupColour, GroupRows } from "./group_rows.js";
+import { groupTable } from "./group_table.js";
 import { interfaceTable } from "./interfaces.js";
 
 /**
  * @typedef {import("../widgets/bind.js").Context} Context
  * @typedef {import("../state/answers.js").GroupRow} GroupRow
  * @typedef {import("../state/status.js").Status["filters"]["groups"]} Chosen
+ *
+ * @typedef {object} Part  the groups of one origin
+ * @property {HTMLElement} element
+ * @property {GroupRows} rows
+ * @property {() => void} update
  */
+
+/** Of so many groups one is found without a field to find it. */
+const FEW = 20;
 
 /** @param {Context} context */
 const chosenOf = ({ store }) => store.status.filters.groups;
 
 /** @param {Context} context @param {Chosen} groups */
 const choose = ({ store }, groups) => store.set({ filters: { groups } });
-
-/** @param {Context} context */
-const hasGroups = ({ facts }) => groupsOf(facts).length > 0;
 
 /** @param {Context} context */
 const originsOf = ({ facts }) => [...byOrigin(groupsOf(facts)).keys()];
@@ -32,7 +37,7 @@ export const groups = {
   title: "Groups",
   digestOf: { facts: ["description"] },
   digest: ({ facts }) => groupsInWords(groupsOf(facts)),
-  hidden: (context) => !hasGroups(context),
+  hidden: ({ facts }) => !groupsOf(facts).length,
   hiddenOf: { facts: ["description"] },
   controls: [
     { kind: "custom", render: groupList },
@@ -56,7 +61,53 @@ export const groups = {
 
 /** Every group, origin by origin: shown or not, alone, coloured; sets of nodes as points. @param {Context} context */
 function groupList(context) {
-  const element = h("div", { class: "group-list" });
+  const find = h("input", {
+    type: "search",
+    class: "text",
+    id: "find-group",
+    autocomplete: "off",
+    spellcheck: "false",
+    placeholder: "Find a group",
+    "aria-label": "Find a group by its name",
+    oninput: () => narrow(),
+  });
+  const none = h("p", { class: "quiet", role: "status" });
+  const all = h(
+    "button",
+    { type: "button", class: "button", onclick: () => choose(context, clear()) },
+    "Show all",
+  );
+  const actions = h("div", { class: "actions" }, all);
+  const parts = h("div");
+  const element = h("div", { class: "group-list" }, find, none, parts);
+  /** @type {readonly GroupRow[] | null} */
+  let known = null;
+  /** @type {Part[]} */
+  let made = [];
+  const narrow = () => {
+    const left = made.map(({ element: part, rows }) => {
+      const found = rows.find(find.value);
+      part.hidden = !found;
+      return found;
+    });
+    setText(
+      none,
+      made.length && !left.some(Boolean) ? `No group has “${find.value.trim()}” in its name.` : "",
+    );
+  };
+  const make = () => {
+    const nodes = groupsOf(context.facts).filter(({ kind }) => kind === "vertices");
+    const some = [...byOrigin(groupsOf(context.facts))].map(([origin, of]) =>
+      originPart(context, origin, of),
+    );
+    const last = nodes.length ? [nodePart(context, nodes)] : [];
+    actions.hidden = !some.length;
+    find.hidden = groupsOf(context.facts).length <= FEW;
+    find.value = "";
+    made = [...some, ...last];
+    parts.replaceChildren(...some.map((part) => part.element), actions, ...last.map((part) => part.element));
+    narrow();
+  };
   watch(
     context,
     {
@@ -64,69 +115,63 @@ function groupList(context) {
       status: ["filters.groups", "colour.by", "colour.grouping", "marks.nodes"],
     },
     () => {
-      const focused =
-        document.activeElement instanceof HTMLElement ? document.activeElement.dataset.key : null;
-      const scrolled = [...element.querySelectorAll("ul")].map((list) => list.scrollTop);
-      const known = groupsOf(context.facts);
-      const nodes = known.filter(({ kind }) => kind === "vertices");
-      const parts = [...byOrigin(known)].map(([origin, some]) => originPart(context, origin, some));
-      if (nodes.length) parts.push(nodePart(context, nodes));
-      element.replaceChildren(...parts, showAll(context));
-      [...element.querySelectorAll("ul")].forEach((list, k) => (list.scrollTop = scrolled[k] ?? 0));
-      if (focused)
-        /** @type {HTMLElement | null} */ (
-          element.querySelector(`[data-key="${CSS.escape(focused)}"]`)
-        )?.focus();
+      if (known !== groupsOf(context.facts)) {
+        known = groupsOf(context.facts);
+        make();
+      }
+      for (const part of made) part.update();
+      all.disabled = isClear(chosenOf(context));
     },
   );
   return element;
 }
 
-/** @param {Context} context */
-function showAll(context) {
-  return h(
-    "div",
-    { class: "actions" },
-    h(
-      "button",
-      {
-        type: "button",
-        class: "button",
-        disabled: isClear(chosenOf(context)),
-        "data-key": "all",
-        onclick: () => choose(context, clear()),
-      },
-      "Show all",
-    ),
-  );
-}
-
-/** @param {Context} context @param {string} origin @param {readonly GroupRow[]} some */
+/** @param {Context} context @param {string} origin @param {readonly GroupRow[]} some @returns {Part} */
 function originPart(context, origin, some) {
-  const colour = context.facts.get("colour");
-  const by = context.store.status.colour.by;
-  const coloured = by === "group" && colour?.quantity === `group:${origin}` ? colour : null;
-  const colours = new Map((coloured?.groups ?? []).map((row) => [row.id, row.colour]));
+  const { facts, store } = context;
+  const name = originName(origin);
+  const colouring = () => {
+    const colour = facts.get("colour");
+    return store.status.colour.by === "group" && colour?.quantity === `group:${origin}` ? colour : null;
+  };
   const button = h(
     "button",
     {
       type: "button",
-      class: "link",
-      "aria-pressed": String(coloured !== null),
-      "data-key": `colour ${origin}`,
-      onclick: () =>
-        context.store.set({ colour: coloured ? { by: "sides" } : { by: "group", grouping: origin } }),
+      class: "button",
+      "aria-label": `Colour by ${name}`,
+      onclick: () => store.set({ colour: colouring() ? { by: "sides" } : { by: "group", grouping: origin } }),
     },
-    coloured ? "coloured" : "colour",
+    "Colour",
   );
-  const rest = coloured && restInWords(coloured);
-  return h(
+  const rows = new GroupRows(some, {
+    label: "shown",
+    turn: ({ id }, on) => choose(context, (on ? undig : dig)(chosenOf(context), id)),
+    only: ({ id }) => {
+      choose(context, isolate([id]));
+      void context.app.views.flyToShown();
+    },
+  });
+  const rest = h("p", { class: "quiet" });
+  const element = h(
     "section",
     { class: "group-part" },
-    h("header", {}, h("h3", {}, originName(origin)), button),
-    h("ul", { class: "parts" }, ...some.map((group) => row(context, group, colours.get(group.id)))),
-    rest ? h("p", { class: "quiet" }, rest) : null,
+    h("header", {}, h("h3", {}, name), button),
+    rows.element,
+    rest,
   );
+  const update = () => {
+    const coloured = colouring();
+    const colours = new Map((coloured?.groups ?? []).map((one) => [one.id, one.colour]));
+    setAttribute(button, "aria-pressed", String(coloured !== null));
+    rows.update(shownBy(chosenOf(context)), ({ id }) => {
+      const colour = colours.get(id);
+      return colour === undefined ? null : groupColour(colour);
+    });
+    setText(rest, coloured ? restInWords(coloured) : "");
+    rest.hidden = !rest.textContent;
+  };
+  return { element, rows, update };
 }
 
 /** Cells that no colour, or not the only one, stands for. @param {import("../state/answers.js").Colour} colour */
@@ -138,138 +183,36 @@ function restInWords({ without = 0, in_several: several = 0 }) {
   return parts.filter(Boolean).join("; ");
 }
 
-/** Whether a group is shown. @param {Chosen} chosen @param {string} id */
-function isShown({ enabled, isolated, hidden, shown }, id) {
-  return !enabled || shown.includes(id) || !(isolated || hidden.includes(id));
+/** Tells of each group whether it is shown. @param {Chosen} chosen @returns {(group: { id: string }) => boolean} */
+function shownBy({ enabled, isolated, ...lists }) {
+  const [hidden, shown] = [new Set(lists.hidden), new Set(lists.shown)];
+  return ({ id }) => !enabled || shown.has(id) || !(isolated || hidden.has(id));
 }
 
-/** @param {Context} context @param {GroupRow} group @param {number | undefined} colour */
-function row(context, group, colour) {
-  const name = groupName(group);
-  const box = h("input", {
-    type: "checkbox",
-    class: "row-switch",
-    "aria-label": `${name} shown`,
-    "data-key": `show ${group.id}`,
-    onchange: () => choose(context, (box.checked ? undig : dig)(chosenOf(context), group.id)),
-  });
-  box.checked = isShown(chosenOf(context), group.id);
-  const only = h(
-    "button",
-    {
-      type: "button",
-      class: "link",
-      "aria-label": `Show ${name} only`,
-      "data-key": `only ${group.id}`,
-      onclick: () => {
-        choose(context, isolate([group.id]));
-        void context.app.views.flyToShown();
-      },
+/** Sets of nodes: drawn as points where they are chosen. @param {Context} context @param {readonly GroupRow[]} nodes @returns {Part} */
+function nodePart({ store }, nodes) {
+  const rows = new GroupRows(nodes, {
+    label: "drawn as points",
+    turn: ({ id }, on) => {
+      const others = store.status.marks.nodes.filter((one) => one !== id);
+      store.set({ marks: { nodes: on ? [...others, id] : others } });
     },
-    "only",
-  );
-  return h(
-    "li",
-    {},
-    h(
-      "label",
-      { class: "part-name", title: name },
-      box,
-      colour !== undefined && swatch(categoryColour("group", colour)),
-      h("span", { class: "group-name" }, name),
-    ),
-    h("span", { class: "category-count" }, count(group.count)),
-    only,
-  );
-}
-
-/** Sets of nodes: drawn as points where they are chosen. @param {Context} context @param {readonly GroupRow[]} nodes */
-function nodePart(context, nodes) {
-  const { store } = context;
-  const drawn = store.status.marks.nodes;
-  const rows = nodes.map((group) => {
-    const name = groupName(group);
-    const box = h("input", {
-      type: "checkbox",
-      class: "row-switch",
-      "aria-label": `Nodes of ${name} drawn`,
-      "data-key": `nodes ${group.id}`,
-      onchange: () => {
-        const others = store.status.marks.nodes.filter((id) => id !== group.id);
-        store.set({ marks: { nodes: box.checked ? [...others, group.id] : others } });
-      },
-    });
-    const place = drawn.indexOf(group.id);
-    box.checked = place >= 0;
-    return h(
-      "li",
-      {},
-      h(
-        "label",
-        { class: "part-name", title: name },
-        box,
-        place >= 0 && swatch(markColour(place % 6)),
-        h("span", { class: "group-name" }, name),
-      ),
-      h("span", { class: "category-count" }, counted(group.count, "node")),
-    );
   });
-  return h(
+  const element = h(
     "section",
     { class: "group-part" },
     h("header", {}, h("h3", {}, "Sets of nodes, as points")),
-    h("ul", { class: "parts" }, ...rows),
+    rows.element,
   );
-}
-
-/** Size and quality of each group of cells, measured when the table is unfolded. @param {Context} context */
-function groupTable(context) {
-  const body = h("tbody");
-  const heads = ["Group", "Cells", "Invalid", "SJ min", "SJ mean", "Volume"];
-  const table = h(
-    "table",
-    { class: "table group-table" },
-    h("caption", { class: "visually-hidden" }, "Statistics of the groups of cells"),
-    h("thead", {}, h("tr", {}, ...heads.map((name) => h("th", { scope: "col" }, name)))),
-    body,
-  );
-  const element = h(
-    "details",
-    { class: "more", id: "group-statistics" },
-    h("summary", { class: "more-head" }, "Statistics"),
-    h(
-      "div",
-      { class: "group-scroll", tabindex: "0", role: "region", "aria-label": "Statistics of groups" },
-      table,
-    ),
-  );
-  const fill = () => {
-    const known = groupsOf(context.facts).filter(({ kind }) => kind === "cells");
-    element.hidden = !known.length;
-    const measures = context.facts.get("groupMeasures");
-    if (element.open && known.length && !measures) void context.app.grouped.measure();
-    body.replaceChildren(
-      ...known.map((group) => {
-        const found = measures?.[group.id];
-        const values = found
-          ? [
-              count(found.invalid),
-              decimal(found.scaled_jacobian_min),
-              decimal(found.scaled_jacobian_mean),
-              decimal(found.volume),
-            ]
-          : ["…", "…", "…", "…"];
-        return h(
-          "tr",
-          {},
-          h("th", { scope: "row", title: groupName(group) }, groupName(group)),
-          h("td", {}, count(group.count)),
-          ...values.map((value, k) => h("td", k === 0 && found?.invalid ? { class: "outside" } : {}, value)),
-        );
-      }),
+  const update = () => {
+    const places = new Map(store.status.marks.nodes.map((id, place) => [id, place]));
+    rows.update(
+      ({ id }) => places.has(id),
+      ({ id }) => (places.has(id) ? markColour(/** @type {number} */ (places.get(id)) % MARKS) : null),
     );
   };
-  element.addEventListener("toggle", fill);
-  watch(context, { facts: ["description", "groupMeasures", "core"] }, fill);
-  return element;
+  return { element, rows, update };
 }
+
+/** Colours of sets of nodes, before they begin again. */
+const MARKS = 6;

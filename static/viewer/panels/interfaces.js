@@ -7,6 +7,9 @@ import { swatch } from "../widgets/swatch.js";
 
 /** @typedef {import("../widgets/bind.js").Context} Context @typedef {import("../state/answers.js").Interface} Interface */
 
+/** Pairs of groups that are listed: the largest of more. */
+const MOST = 200;
+
 /**
  * Where the groups of the chosen origin meet: faces that both share, and faces that lie on each other without being joined.
  *
@@ -14,24 +17,40 @@ import { swatch } from "../widgets/swatch.js";
  */
 export function interfaceTable(context) {
   const list = h("ul", { class: "parts", "aria-label": "Interfaces between groups" });
-  const none = h("p", { class: "quiet" }, "No two of these groups meet.");
-  const element = h("div", {}, list, none);
+  const rest = h("p", { class: "quiet" });
+  const element = h("div", { class: "group-part" }, list, rest);
+  /** @type {readonly Interface[] | null} */
+  let listed = null;
   watch(context, { facts: ["interfaces", "description", "core"], status: ["marks.interfaces"] }, () => {
     const origin = context.store.status.marks.interfaces;
     const found = context.facts.get("interfaces");
     const rows = found && found.origin === origin ? found.rows : null;
     element.hidden = !origin;
     if (origin && !rows) void context.app.grouped.meet(origin);
-    none.hidden = !rows || rows.length > 0;
-    list.replaceChildren(...(rows ?? []).map((row) => line(context, row)));
+    if (rows === listed) return;
+    listed = rows;
+    rest.textContent = rows ? restInWords(rows.length) : "";
+    const known = new Map(groupsOf(context.facts).map((group) => [group.id, groupName(group)]));
+    list.replaceChildren(...largest(rows ?? []).map((row) => line(known, row)));
   });
   return element;
 }
 
-/** @param {Context} context @param {Interface} row */
-function line({ facts }, { groups, faces, apart, colour }) {
-  const known = new Map(groupsOf(facts).map((group) => [group.id, groupName(group)]));
-  const names = groups.map((id) => (id === null ? "none" : (known.get(id) ?? id)));
+/** @param {number} number of pairs */
+function restInWords(number) {
+  if (!number) return "No two of these groups meet.";
+  return number > MOST ? `and ${counted(number - MOST, "smaller one")}` : "";
+}
+
+/** In their order where they are few; else those of most faces, not joined ones first. @param {readonly Interface[]} rows */
+function largest(rows) {
+  if (rows.length <= MOST) return rows;
+  return [...rows].sort((a, b) => b.apart - a.apart || b.faces - a.faces).slice(0, MOST);
+}
+
+/** @param {ReadonlyMap<string, string>} known names by id @param {Interface} row */
+function line(known, { groups, faces, apart, colour }) {
+  const names = groups.map((id) => (id === null ? "no group" : (known.get(id) ?? id)));
   const words = [faces ? counted(faces, "face") : "", apart ? `${count(apart)} not joined` : ""].filter(
     Boolean,
   );

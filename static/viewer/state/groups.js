@@ -55,8 +55,27 @@ export function byOrigin(groups) {
   return found;
 }
 
-/** @param {Facts} facts @returns {readonly GroupRow[]} */
-export const groupsOf = (facts) => facts.get("description")?.groups ?? [];
+/** @type {readonly GroupRow[]} */
+const NONE = Object.freeze([]);
+
+/** The same list as long as the groups are the same. @param {Facts} facts @returns {readonly GroupRow[]} */
+export const groupsOf = (facts) => facts.get("description")?.groups ?? NONE;
+
+/**
+ * What the colours of groups stand for, in the groups' order: of all where they are few, else of the largest.
+ *
+ * @param {import("./answers.js").Colour | null} drawn @param {readonly GroupRow[]} groups @param {number} most
+ * @returns {{ keys: { colour: number, group: GroupRow }[], more: number }} and how many groups have none there
+ */
+export function groupKeys(drawn, groups, most) {
+  const known = new Map(groups.map((group) => [group.id, group]));
+  const keys = (drawn?.groups ?? []).flatMap(({ id, colour }) => {
+    const group = known.get(id);
+    return group ? [{ colour, group }] : [];
+  });
+  const kept = new Set([...keys].sort((a, b) => b.group.count - a.group.count).slice(0, most));
+  return { keys: keys.filter((key) => kept.has(key)), more: Math.max(0, keys.length - most) };
+}
 
 /** The origin that cells are coloured by: what the status names, else the first. @param {import("./quantity.js").Known} known */
 export function groupingOf({ store, facts }) {

@@ -21,7 +21,7 @@
  * @property {(cell: number | null) => unknown} inspect
  * @property {(cell: number) => Promise<void>} flyTo
  * @property {(cell: number) => unknown} cutTo
- * @property {(kind: "cell" | "vertex", number: number) => Promise<void>} goTo by the file's number
+ * @property {(kind: "cell" | "vertex", number: number) => Promise<boolean>} goTo by the file's number; tells whether one is there
  * @property {(cells: readonly number[], form: string, name: string) => Promise<string | null>} listCells as a text for other programs
  * @property {{ measure: () => Promise<void>, meet: (origin: string) => Promise<void> }} grouped
  * @property {() => Promise<void>} saveWorst
