@@ -95,12 +95,12 @@ def described(facts: dict[str, Any], unit: str) -> str:
 
 def named(finding: dict[str, Any]) -> str:
     """Write the first cells or vertices that a finding concerns, by the file's numbers."""
-    for what, called in (("cells", "cell"), ("vertices", "vertex")):
+    for what, noun in (("cells", "cell"), ("vertices", "vertex")):
         numbers = finding[what]
         if numbers:
             more = finding["count"] - len(numbers[:CELLS_SHOWN])
             rest = ", ..." if more > 0 else ""
-            return f" ({called} {', '.join(map(str, numbers[:CELLS_SHOWN]))}{rest})"
+            return f" ({noun} {', '.join(map(str, numbers[:CELLS_SHOWN]))}{rest})"
     return ""
 
 
