@@ -64,8 +64,8 @@ def _physical_group(numbers: Array, name: str) -> str:
 
 
 def _paraview(rows: Array, _name: str) -> str:
-    """A query for ParaView's Find Data: vtkPolyData's and vtkUnstructuredGrid's ids are rows from 0."""
-    return f"in1d(id, [{', '.join(map(str, rows.tolist()))}])\n"
+    """A query as ParaView's Find Data makes it of "is one of"; its ids are rows from 0."""
+    return f"isin(id, [{', '.join(map(str, rows.tolist()))}])\n"
 
 
 LIST_FORMS: tuple[ListForm, ...] = (

@@ -10,12 +10,13 @@ from numpy.typing import NDArray
 
 from .arrays import Array, Floats
 from .diagnosis import held_features
-from .diagnosis.coincidence import coincident_leaders
 from .grouping import Grouping, feature_groups, groups_of
 from .groups import DIMENSIONS, Group
 from .mesh import Mesh
 from .topology import Topology
-from .topology.lookup import face_keys_of
+
+MOST_PAIRS = 4_000_000
+"""Of so many possible pairs of groups those that meet are counted in a table."""
 
 KINDS_OF_GROUP = {"cell": "cells", "vertex": "vertices"}
 """What the members of groups are, in facts."""
@@ -34,6 +35,13 @@ def listed_groups(groups: Sequence[Group]) -> list[dict[str, Any]]:
         }
         for group in groups
     ]
+
+
+def called(group: dict[str, Any]) -> str:
+    """Write what a listed group is called: of one that is known by a number alone, with its origin."""
+    if group["name"] == str(group["number"]):
+        return f"{group['origin']} {group['name']}"
+    return f"{group['name']} ({group['origin']})"
 
 
 def listed_features(mesh: Mesh) -> dict[str, dict[str, Any]]:
@@ -124,14 +132,9 @@ def interfaces(grouping: Grouping, topology: Topology) -> dict[tuple[int, int], 
         Rows of the faces for each pair of groups that meet, the places of both among the groups, the smaller first;
         -1 stands for cells in no group.
     """
-    labels, faces = grouping.labels, topology.faces
-    left, right = labels[faces.cells[0, : faces.paired]], labels[faces.cells[1, : faces.paired]]
-    rows = np.flatnonzero(left != right)
+    rows, keys, count = _parting(grouping, topology)
     if not len(rows):
         return {}
-    one, other = np.minimum(left[rows], right[rows]), np.maximum(left[rows], right[rows])
-    count = len(grouping.groups) + 1
-    keys = (one.astype(np.int64) + 1) * count + other + 1
     order = np.argsort(keys, kind="stable")
     found, starts = np.unique(keys[order], return_index=True)
     return {
@@ -140,40 +143,27 @@ def interfaces(grouping: Grouping, topology: Topology) -> dict[tuple[int, int], 
     }
 
 
-def touching(mesh: Mesh, grouping: Grouping) -> dict[tuple[int, int], int]:
-    """Count the faces of two groups that lie on each other and are not joined: their nodes are others.
+def meeting(grouping: Grouping, topology: Topology) -> list[tuple[int, int]]:
+    """Pairs of groups that have a face in common, as in `interfaces`, without the faces."""
+    _, keys, count = _parting(grouping, topology)
+    few = count * count < MOST_PAIRS
+    found = np.flatnonzero(np.bincount(keys, minlength=1)) if few else np.unique(keys)
+    return [(key // count - 1, key % count - 1) for key in found.tolist()]
 
-    Parameters
-    ----------
-    mesh : Mesh
-    grouping : Grouping
 
-    Returns
-    -------
-    dict of (int, int) to int
-        Pairs of faces with the same corners, as places go, for each pair of groups, as in `interfaces`.
+def _parting(grouping: Grouping, topology: Topology) -> tuple[NDArray[np.intp], Array, int]:
+    """Rows of the faces between cells of different labels, a key of each pair, and what keys are made with.
+
+    A pair's key is the smaller label, times the count, plus the larger one, both counted from 1 on. Keys are short
+    where they can be: short numbers are sorted by their digits, in one pass.
     """
-    leader = coincident_leaders(mesh)
-    double = leader != np.arange(len(leader))
-    if not double.any():
-        return {}
-    near = double.copy()
-    near[leader[double]] = True
-    topology = mesh.topology
-    rows = np.arange(topology.faces.paired, topology.faces.boundary_end)
-    cells, local = topology.face_cells[0, rows], topology.face_locals[0, rows]
-    corners = topology.corners_of(cells, local)
-    some = np.flatnonzero(near[corners].all(axis=0))
-    keys = face_keys_of(leader[corners[:, some]])
-    order = np.lexsort((keys[1], keys[0]))
-    same = np.flatnonzero((keys[:, order[1:]] == keys[:, order[:-1]]).all(axis=0))
-    labels = grouping.labels[cells[some]]
-    one, other = labels[order[same]], labels[order[same + 1]]
-    counts: dict[tuple[int, int], int] = {}
-    for a, b in zip(np.minimum(one, other).tolist(), np.maximum(one, other).tolist(), strict=True):
-        if a != b:
-            counts[a, b] = counts.get((a, b), 0) + 1
-    return counts
+    labels, faces = grouping.labels, topology.faces
+    left, right = labels[faces.cells[0, : faces.paired]], labels[faces.cells[1, : faces.paired]]
+    rows = np.flatnonzero(left != right)
+    one, other = np.minimum(left[rows], right[rows]), np.maximum(left[rows], right[rows])
+    count = len(grouping.groups) + 1
+    short = np.uint16 if count * count < 2**16 else np.int64
+    return rows, ((one + 1).astype(np.int64) * count + other + 1).astype(short), count
 
 
 def all_groups(mesh: Mesh) -> list[dict[str, Any]]:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from .arrays import Array, Ids
+from .errors import HexaLabError
 from .groups import Group
 from .mesh import Mesh
 
@@ -80,6 +81,28 @@ def groups_of(mesh: Mesh) -> tuple[Group, ...]:
         With ids of their own; groups without members are listed too.
     """
     return (*mesh.groups, *_of_arrays(mesh))
+
+
+def group_of_cells(groups: Iterable[Group], name: str) -> Group:
+    """Find a group of cells by its id, or by its name in any letter case.
+
+    Raises
+    ------
+    HexaLabError
+        There is none, or several are called so.
+    """
+    some = [group for group in groups if group.on == "cell"]
+    found = [group for group in some if group.id == name] or [
+        group for group in some if group.name.upper() == name.upper()
+    ]
+    if len(found) > 1:
+        raise HexaLabError(
+            f"several groups are called {name!r}: {', '.join(group.id for group in found)}, expected one of these"
+        )
+    if not found:
+        known = ", ".join(group.id for group in some) or "none"
+        raise HexaLabError(f"the mesh has no group {name!r}; it has {known}")
+    return found[0]
 
 
 def groupings(mesh: Mesh, groups: tuple[Group, ...]) -> dict[str, Grouping]:

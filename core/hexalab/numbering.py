@@ -15,7 +15,17 @@ Numbers = NDArray[np.int64]
 
 
 def cell_numbers(mesh: Mesh, rows: ArrayLike | None = None) -> Numbers:
-    """The file's numbers of some cells, of all by default: (n,) int64.
+    """Tell the file's numbers of cells.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    rows : (n,) int, optional
+        Which cells; all by default.
+
+    Returns
+    -------
+    (n,) int64
 
     >>> mesh = Mesh.from_cells(np.zeros((8, 3)), [[0, 1, 2, 3, 4, 5, 6, 7]], cell_numbers=np.array([1043]))
     >>> cell_numbers(mesh).tolist(), cells_numbered(mesh, 1043).tolist(), cells_numbered(mesh, 0).tolist()
@@ -25,17 +35,50 @@ def cell_numbers(mesh: Mesh, rows: ArrayLike | None = None) -> Numbers:
 
 
 def vertex_numbers(mesh: Mesh, rows: ArrayLike | None = None) -> Numbers:
-    """The file's numbers of some vertices, of all by default: (n,) int64."""
+    """Tell the file's numbers of vertices.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    rows : (n,) int, optional
+        Which vertices; all by default.
+
+    Returns
+    -------
+    (n,) int64
+    """
     return _numbers(mesh.vertex_numbers, mesh.vertex_count, mesh.first_number, rows)
 
 
 def cells_numbered(mesh: Mesh, number: int) -> NDArray[np.intp]:
-    """Rows of the cells that the file gives that number, (n,) rising: one, none, or in assemblies several."""
+    """Find the cells that the file gives a number.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    number : int
+
+    Returns
+    -------
+    (n,) int
+        Rows, rising: one, none, or in an assembly several.
+    """
     return _rows(mesh.cell_numbers, mesh.cell_count, mesh.first_number, number)
 
 
 def vertices_numbered(mesh: Mesh, number: int) -> NDArray[np.intp]:
-    """Rows of the vertices that the file gives that number, (n,) rising."""
+    """Find the vertices that the file gives a number.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    number : int
+
+    Returns
+    -------
+    (n,) int
+        Rows, rising.
+    """
     return _rows(mesh.vertex_numbers, mesh.vertex_count, mesh.first_number, number)
 
 

@@ -13,8 +13,12 @@ from .cells import HEXAHEDRON
 from .diagnosis import diagnose
 from .group_facts import all_groups, listed_features
 from .mesh import Mesh
+from .numbering import cell_numbers, vertex_numbers
 from .packing import jsonable
 from .quality import METRICS, quality_many, statistics
+
+MOST_NAMED = 20
+"""So many cells and vertices of a finding are told by their numbers."""
 
 STATISTICS = ("min", "max", "mean", "median", "variance", "not_finite", "outside_acceptable")
 """The statistics that the facts hold of each metric."""
@@ -45,7 +49,13 @@ def summarise(mesh: Mesh, metrics: Iterable[str] = METRICS) -> dict[str, Any]:
         "kinds": mesh.kind_counts,
         **structure(mesh),
         "findings": [
-            {"id": finding.id, "count": finding.count, "message": finding.message}
+            {
+                "id": finding.id,
+                "count": finding.count,
+                "message": finding.message,
+                "cells": cell_numbers(mesh, finding.cells[:MOST_NAMED]),
+                "vertices": vertex_numbers(mesh, finding.vertices[:MOST_NAMED]),
+            }
             for finding in diagnose(mesh)
         ],
         "quality": measures(mesh, quality_many(mesh, metrics)),

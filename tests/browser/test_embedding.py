@@ -102,7 +102,7 @@ def test_A3_a_file_of_the_reader_is_told_only_to_the_origin_that_the_address_nam
     reading = (
         ("summary", []), ("getStatus", []), ("screenshot", []), ("figure", ["svg"]), ("quality", ["volume"]),
         ("cells", ["vtu"]), ("surface", ["stl"]), ("page", []), ("turntable", [{"frames": 2}]), ("drawn", []),
-        ("timings", []),
+        ("timings", []), ("groups", []), ("groupStatistics", []), ("interfaces", ["material"]),
     )  # fmt: skip
     frame = embedded(other, site, shelf, "/viewer/?embed", by="localhost")
     frame.locator("#file").set_input_files(tmp_path / "secret.vtk")

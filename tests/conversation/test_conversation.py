@@ -13,7 +13,9 @@ import pytest
 from playwright.sync_api import Browser
 
 from benchmarks.page import SITE, serve
-from hexalab.formats import read_bytes
+from hexalab.formats import read_bytes, write_bytes
+from hexalab.groups import Group
+from hexalab.mesh import Mesh
 from hexalab.quality import METRICS
 from hexalab.quality.sizes import NEEDS as SIZED
 from hexalab.session.door import METHODS
@@ -139,6 +141,17 @@ def test_A1_a_whole_conversation(ask: Ask, said: set[str], attributed: bytes, tw
     assert say("describe", "faces") == {"faces": 29, "boundary_faces": 22, "nonmanifold_faces": 0}
     assert say("validity")["valid"] == 6
 
+    told = {
+        form: say("report", form, {"sha256": "ab" * 32})["text"] for form in ("html", "md", "json", "xml")
+    }
+    assert all("ab" * 32 in text and "grid.vtk" in text for text in told.values())
+    assert say("report", "json", {}, [], [{"metric": "volume", "minimum": 2}])["passed"] is False
+    with pytest.raises(
+        Refused, match=r"criteria\[0\]\.metric: found 'Volume', expected .*; did you mean volume"
+    ):
+        say("report", "json", {}, [], [{"metric": "Volume", "minimum": 2}])
+    assert len(say("report_poses", "mm")) == 3
+
     with pytest.raises(Refused, match=r"bad\.mesh.*line") as refused:
         say("open", "bad.mesh", b"MeshVersionFormatted 2\nDimension 3\nVertices\n3\n0 0")
     assert refused.value.kind == "MeshReadError"
@@ -152,7 +165,42 @@ def test_A1_a_whole_conversation(ask: Ask, said: set[str], attributed: bytes, tw
     assert (cells.dtype, cells.tolist()) == (np.uint32, [1])
     assert say("validity")["invalid_cells"].tolist() == [1]
 
+    talk_of_groups(say)
     assert said == set(METHODS), "every method is asked for once at least"
+
+
+def talk_of_groups(say: Callable[..., Any]) -> None:
+    """Three cubes in a row, elements 30, 20 and 10, the first two of steel."""
+    places = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in range(4)], dtype=float)
+    corners = [[n + c for c in (0, 1, 5, 4, 8, 9, 13, 12)] for n in range(3)]
+    groups = (
+        Group("STEEL", "elset", [0, 1]),
+        Group("GLASS", "elset", [2]),
+        Group("N", "nset", [0], "vertex"),
+    )
+    deck = Mesh.from_cells(places, corners, groups=groups, cell_numbers=np.array([30, 20, 10]))
+    assert say("open", "deck.inp", write_bytes(deck, "inp"))["cells"] == 3
+    listed = say("describe", "groups")["groups"]
+    assert [(row["id"], row["count"]) for row in listed] == [
+        ("elset:STEEL", 2),
+        ("elset:GLASS", 1),
+        ("nset:N", 1),
+    ]
+    assert say("numbers")["cells"].tolist() == [30, 20, 10]
+    found = say("find", "cell", 20)
+    assert (found["rows"], found["around"].tolist(), found["place"]) == ([1], [0, 1, 2], [1.5, 0.5, 0.5])
+    with pytest.raises(Refused, match="no element 7: its numbers are from 10 to 30"):
+        say("find", "cell", 7)
+    assert say("cell_list", [0, 2], "elset", "BAD") == "*ELSET, ELSET=BAD\n30, 10\n"
+    assert [row["volume"] for row in say("group_table")] == [2, 1]
+    (meet,) = say("interfaces", "elset")
+    assert (meet["groups"], meet["faces"], meet["apart"]) == (["elset:STEEL", "elset:GLASS"], 1, 0)
+    hidden = say(
+        "update", {"filters": {"groups": {"hidden": ["elset:GLASS"]}}, "marks": {"nodes": ["nset:N"]}}
+    )
+    assert (hidden["shown_cells"], hidden["marks"]["counts"]) == (2, {"nodes": 1})
+    coloured = say("update", {"colour": {"by": "group", "grouping": "elset"}})["colour"]
+    assert coloured["map_position"][0] == coloured["map_position"][1] != coloured["map_position"][2]
 
 
 @pytest.mark.parametrize("method", ["_opened", "__init__", "preview", "formats", "x; import os"])

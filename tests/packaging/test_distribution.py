@@ -23,7 +23,7 @@ from hexalab.hosts.browser import NAMES
 from tests.core.conftest import grid_points, medit
 
 ROOT = Path(__file__).parents[2]
-EXTRAS = {"view", "notebook", "render", "cluster", "site"}
+EXTRAS = {"view", "notebook", "render", "cluster", "report", "site"}
 RENDER = ("playwright", "rich")
 
 

@@ -43,6 +43,7 @@ VERBS = {
     "view": Verb("open the viewer on files of this machine", "hexalab.cli.view"),
     "render": Verb("make a picture of a mesh", "hexalab.cli.render", RENDER),
     "export": Verb("save shown cells, surface, page or turntable", "hexalab.cli.export"),
+    "report": Verb("write a report of a mesh, to pass or fail", "hexalab.cli.report"),
     "batch": Verb("make pictures and measurements of many meshes", "hexalab.cli.batch", RENDER),
     "serve": Verb("serve a built site on this machine", "hexalab.cli.serve"),
     "build": Verb("build the site out of the repository", "site_builder.cli.build", CLONE),

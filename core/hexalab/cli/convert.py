@@ -9,7 +9,7 @@ from pathlib import Path
 from .. import WRITERS, write
 from ..diagnosis import all_inverted, turn_round
 from ..formats import read, writer_of
-from .tables import counted
+from ..words import counted
 
 
 def configure(parser: ArgumentParser) -> None:

@@ -17,9 +17,9 @@ from ..formats.writers import packed
 from ..hosts.offers import FileOffer
 from ..quality import METRICS
 from ..session import Session
+from ..words import counted
 from . import RENDER, missing, settings
 from .render import side
-from .tables import counted
 
 FRAMES, MOST_FRAMES = 72, 720
 SECONDS, MOST_SECONDS = 6.0, 120

@@ -10,13 +10,16 @@ import numpy as np
 
 from .. import FORMATS, MeshReadError, certify, read, summarise
 from ..diagnosis import TURNED
+from ..group_facts import called
 from ..mesh import Mesh
+from ..words import count, counted
 from . import FINDING, MISUSE, complain
-from .tables import count, counted, quality_table
+from .tables import quality_table
 from .units import add_unit, titles
 
 LAYERS_SHOWN = 12
 GROUPS_SHOWN = 24
+CELLS_SHOWN = 5
 
 
 def configure(parser: ArgumentParser) -> None:
@@ -85,22 +88,26 @@ def described(facts: dict[str, Any], unit: str) -> str:
     if len(facts["groups"]) > GROUPS_SHOWN:
         lines.append(f"  and {len(facts['groups']) - GROUPS_SHOWN} groups more (--json lists them)")
     lines += [f"  features: {told}" for told in told_features(facts["features"])]
-    lines += [f"  finding: {finding['message']}" for finding in facts["findings"]]
+    lines += [f"  finding: {finding['message']}{named(finding)}" for finding in facts["findings"]]
     measured = facts["quality"]
     return "\n".join([*lines, "", quality_table(measured, titles(measured, unit))])
+
+
+def named(finding: dict[str, Any]) -> str:
+    """Write the first cells or vertices that a finding concerns, by the file's numbers."""
+    for what, noun in (("cells", "cell"), ("vertices", "vertex")):
+        numbers = finding[what]
+        if numbers:
+            more = finding["count"] - len(numbers[:CELLS_SHOWN])
+            rest = ", ..." if more > 0 else ""
+            return f" ({noun} {', '.join(map(str, numbers[:CELLS_SHOWN]))}{rest})"
+    return ""
 
 
 def told_group(group: dict[str, Any]) -> str:
     """Write what a group is called, and how large it is."""
     noun = "cell" if group["kind"] == "cells" else "vertex"
-    return f"{titled(group)}, {counted(group['count'], noun)}"
-
-
-def titled(group: dict[str, Any]) -> str:
-    """Write what a group is called: of one that is known by a number alone, with its origin."""
-    if group["name"] == str(group["number"]):
-        return f"{group['origin']} {group['name']}"
-    return f"{group['name']} ({group['origin']})"
+    return f"{called(group)}, {counted(group['count'], noun)}"
 
 
 def told_features(features: dict[str, dict[str, Any]]) -> list[str]:
@@ -109,7 +116,7 @@ def told_features(features: dict[str, dict[str, Any]]) -> list[str]:
     for name, part in features.items():
         if part["count"]:
             groups = ", ".join(
-                f"{titled(row)}: {count(row['count'])}" for row in part["groups"][:LAYERS_SHOWN]
+                f"{called(row)}: {count(row['count'])}" for row in part["groups"][:LAYERS_SHOWN]
             )
             more = len(part["groups"]) - LAYERS_SHOWN
             rest = f" and {more} groups more" if more > 0 else ""

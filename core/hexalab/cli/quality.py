@@ -15,13 +15,14 @@ import numpy as np
 from .. import METRICS, HexaLabError, quality_many, read
 from ..arrays import Array, Floats
 from ..cell_lists import LIST_FORMS, cell_list
-from ..grouping import groups_of
+from ..grouping import group_of_cells, groups_of
 from ..mesh import Mesh, cell_barycentres
 from ..numbering import cell_numbers
 from ..packing import jsonable
 from ..quality.measures import worst_first
 from ..summary import STATISTICS, measures
-from .tables import number, quality_table, table
+from ..words import number
+from .tables import quality_table, table
 from .units import add_unit, titles
 
 WORST_METRIC = "scaled_jacobian"
@@ -128,20 +129,10 @@ def rows_of_groups(mesh: Mesh, names: Sequence[str] | None) -> Array:
     """
     if not names:
         return np.arange(mesh.cell_count)
-    groups = [group for group in groups_of(mesh) if group.on == "cell"]
+    groups = groups_of(mesh)
     inside = np.zeros(mesh.cell_count, dtype=bool)
     for name in names:
-        found = [group for group in groups if group.id == name] or [
-            group for group in groups if group.name.upper() == name.upper()
-        ]
-        if len(found) > 1:
-            raise HexaLabError(
-                f"several groups are called {name!r}: {', '.join(group.id for group in found)}, expected one of these"
-            )
-        if not found:
-            known = ", ".join(group.id for group in groups) or "none"
-            raise HexaLabError(f"the mesh has no group {name!r}; it has {known}")
-        inside[found[0].members] = True
+        inside[group_of_cells(groups, name).members] = True
     return np.flatnonzero(inside)
 
 

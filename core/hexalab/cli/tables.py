@@ -1,35 +1,11 @@
-"""Numbers and tables in plain text."""
+"""Tables in plain text."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import Any
 
-SMALLEST_PLAIN = 0.0005
-LARGEST_PLAIN = 1e6
-NOTHING = "-"
-PLURALS = (("hedron", "hedra"), ("vertex", "vertices"))
-
-
-def number(value: float | None) -> str:
-    """Write a number with three decimals, with an exponent where it would read 0 or be long."""
-    if value is None:
-        return NOTHING
-    if value and not SMALLEST_PLAIN <= abs(value) < LARGEST_PLAIN:
-        return f"{value:.2e}"
-    return f"{value:,.3f}"
-
-
-def count(value: int | None) -> str:
-    """Write a count with its thousands apart."""
-    return NOTHING if value is None else f"{value:,}"
-
-
-def counted(value: int, noun: str) -> str:
-    """Write a count and what is counted: "1 cell", "2 vertices", "1,000 hexahedra"."""
-    if value != 1:
-        noun = next((noun[: -len(one)] + many for one, many in PLURALS if noun.endswith(one)), f"{noun}s")
-    return f"{count(value)} {noun}"
+from ..words import count, number
 
 
 def table(rows: Sequence[Sequence[str]], indent: int = 2) -> str:

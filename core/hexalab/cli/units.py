@@ -7,10 +7,9 @@ from collections.abc import Iterable
 
 from .. import METRICS
 from ..status import LENGTH_UNITS
+from ..words import titled
 
 NONE, *NAMED = LENGTH_UNITS
-SYMBOLS = {"um": "µm"}
-EXPONENTS = {1: "", 2: "²", 3: "³"}
 
 
 def add_unit(parser: ArgumentParser) -> None:
@@ -25,10 +24,4 @@ def add_unit(parser: ArgumentParser) -> None:
 
 def titles(metrics: Iterable[str], unit: str) -> dict[str, str]:
     """Names of metrics by their ids, with the unit of those that carry one: "Volume (mm³)"."""
-    return {id: _title(METRICS[id].name, METRICS[id].length_power, unit) for id in metrics}
-
-
-def _title(name: str, power: int, unit: str) -> str:
-    if not power or unit == NONE:
-        return name
-    return f"{name} ({SYMBOLS.get(unit, unit)}{EXPONENTS[power]})"
+    return {id: titled(METRICS[id].name, METRICS[id].length_power, unit) for id in metrics}

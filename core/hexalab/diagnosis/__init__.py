@@ -19,6 +19,7 @@ from .lost_features import Held, held_features
 from .orientation import TURNED, all_inverted, signs, turn_round
 
 __all__ = [
+    "FINDINGS",
     "SEVERITIES",
     "TURNED",
     "Finding",
@@ -31,6 +32,13 @@ __all__ = [
 
 Severity = Literal["error", "warning", "note"]
 SEVERITIES: tuple[Severity, ...] = ("error", "warning", "note")
+
+FINDINGS = (
+    "all_inverted", "inverted_cells", "degenerate_cells", "invalid_corner_cells", "repeated_cells",
+    "nonmanifold_faces", "opposite_orientation", "coincident_vertices", "turned_round", "lost_corners", "lost_edges",
+    "lost_faces", "repeated_vertices", "unreferenced_vertices", "components", "reading",
+)  # fmt: skip
+"""Ids of all findings that there can be."""
 
 _BLOCK = 1 << 18
 
@@ -75,10 +83,7 @@ def diagnose(mesh: Mesh) -> list[Finding]:
     Returns
     -------
     list of Finding
-        Empty if there is nothing to say. Ids: `all_inverted`, `inverted_cells`, `degenerate_cells`,
-        `invalid_corner_cells`, `repeated_cells`, `nonmanifold_faces`, `opposite_orientation`, `coincident_vertices`,
-        `turned_round`, `lost_corners`, `lost_edges`, `lost_faces`, `repeated_vertices`, `unreferenced_vertices`,
-        `components`, `reading`.
+        Empty if there is nothing to say. Ids are those of `FINDINGS`.
     """
     checks: tuple[Callable[[Mesh], Iterator[Finding]], ...] = (
         _shapes, _faces, _vertices, _features, _pieces, _notes,

@@ -25,27 +25,6 @@ def coincident_vertices(mesh: Mesh) -> Ids:
     those with a near neighbour are left, hardly more than what is looked for; a second and a third direction
     settle it.
     """
-    return np.sort(_runs(mesh)[0]).astype(np.int32)
-
-
-def coincident_leaders(mesh: Mesh) -> Ids:
-    """(V,) int32: for each vertex the smallest id of those at its place; of most vertices their own.
-
-    >>> two = Mesh.from_cells([[0, 0, 0], [0, 0, 0], *([x, 1, 2] for x in range(6))], [[0, 1, 2, 3, 4, 5, 6, 7]])
-    >>> coincident_leaders(two).tolist()
-    [0, 0, 2, 3, 4, 5, 6, 7]
-    """
-    ids, run = _runs(mesh)
-    leader = np.arange(mesh.vertex_count, dtype=np.int32)
-    if len(ids):
-        smallest = np.full(int(run.max()) + 1, mesh.vertex_count, dtype=np.int64)
-        np.minimum.at(smallest, run, ids)
-        leader[ids] = smallest[run]
-    return leader
-
-
-def _runs(mesh: Mesh) -> tuple[Array, Array]:
-    """Ids of vertices that coincide with another, and a number of their place for each."""
     mesh, _ = mesh.within_reach
     ids: Array = np.flatnonzero(mesh.referenced)
     near = TOLERANCE * mesh.diagonal
@@ -62,7 +41,7 @@ def _runs(mesh: Mesh) -> tuple[Array, Array]:
         starts[1:] = ~joined
         run = np.cumsum(starts, dtype=np.int32)[kept]
         ids = ids[kept]
-    return ids, run
+    return np.sort(ids).astype(np.int32)
 
 
 def _along(coordinates: Floats, ids: Array, direction: tuple[float, float, float]) -> Floats:

@@ -14,13 +14,13 @@ from ..mesh import Mesh
 from .abaqus_deck import Block, Deck
 from .abaqus_elements import ElementType, element_type
 from .abaqus_fields import count_of_elements
-from .abaqus_groups import Placed, Resolver
+from .abaqus_groups import LOWER_KINDS, Placed, Resolver
 from .abaqus_rows import ElementRows, element_rows, node_error, node_rows
 from .abaqus_scopes import ASSEMBLY, DECK, INSTANCE, PART, Scope, model
 from .abaqus_sets import ELSET, NO_NUMBERS, NSET, plain
 from .abaqus_systems import COORDINATES, HERE, Placement, instance_placement, node_system
 from .assembly import WEDGE_OF_OTHERS, Assembly, CellBlock, check_finite
-from .feature_blocks import joined_features, named_apart
+from .feature_blocks import FeatureBlock, joined_features, named_apart
 from .file import File
 from .ids import Numbering
 
@@ -182,12 +182,26 @@ class Reader:
             left_out[called] = left_out.get(called, 0) + count_of_elements(block)
             self.put_into_set(block, ELSET, NO_NUMBERS)
             return
+        if kind.dimension < 3:
+            self.lower(block, kind)
+            return
         rows = element_rows(block, kind)
         self.put_into_set(block, ELSET, rows.numbers)
         if len(rows.numbers):
             self.scope.elements.append(rows)
         if rows.surplus:
             self.surplus[kind] = self.surplus.get(kind, 0) + rows.surplus
+
+    def lower(self, block: Block, kind: ElementType) -> None:
+        """*ELEMENT of edges or faces; what can't be read costs them, not the mesh."""
+        try:
+            rows = element_rows(block, kind)
+        except MeshReadError as error:
+            self.out.note(f"Elements of type {kind.name} were left out. {error}.")
+            rows = ElementRows(block, kind, NO_NUMBERS, np.zeros((0, kind.least), dtype=np.int64))
+        self.put_into_set(block, ELSET, rows.numbers)
+        if len(rows.numbers):
+            self.scope.lower.append(rows)
 
     def put_into_set(self, block: Block, kind: str, numbers: Array) -> None:
         """Put what a block defines into the set that its keyword names."""
@@ -227,13 +241,36 @@ class Reader:
         self.note_repeated(moved, repeated)
         self.out.coordinates = np.concatenate(all_points, axis=1)
         self.out.vertex_numbers = np.concatenate(all_tags)
-        return self.grouped(self.out.mesh(), list(places.values()))
+        lower = self.lower_blocks(list(places.values()), places[id(with_nodes[0])])
+        self.out.features += lower  # named where there are no cells
+        return self.grouped(self.out.mesh(), list(places.values()), lower)
 
-    def grouped(self, mesh: Mesh, scopes: list[Placed]) -> Mesh:
+    def lower_blocks(self, scopes: list[Placed], first: Placed) -> list[FeatureBlock]:
+        """Edges and faces of all scopes, in one block for each dimension; `first` has the nodes of those without."""
+        blocks = []
+        for dimension, size in ((1, 2), (2, 4)):
+            parts: list[Array] = [np.zeros((size, 0), dtype=np.int32)]
+            start = 0
+            for placed in scopes:
+                nodes = placed if placed.scope.tags else first
+                for rows in placed.scope.lower:
+                    if rows.type.dimension != dimension:
+                        continue
+                    corners = nodes.nodes.places(np.ascontiguousarray(rows.nodes[:, : rows.type.corners].T))
+                    corners[corners >= 0] += np.int32(nodes.first_node)
+                    parts.append(np.concatenate([corners, corners[-1:]]) if len(corners) < size else corners)
+                    count = len(rows.numbers)
+                    placed.put(LOWER_KINDS[dimension], rows.numbers, np.arange(start, start + count))
+                    start += count
+            if start:
+                blocks.append(FeatureBlock(dimension, np.concatenate(parts, axis=1)))
+        return blocks
+
+    def grouped(self, mesh: Mesh, scopes: list[Placed], lower: list[FeatureBlock]) -> Mesh:
         """The mesh with the sets and surfaces of the deck."""
         resolver = Resolver(scopes, mesh, self.out.note)
         groups = named_apart(list(resolver.groups()))
-        features = joined_features(resolver.features(), mesh.vertex_count, self.out.note)
+        features = joined_features(resolver.features(lower), mesh.vertex_count, self.out.note)
         for note in resolver.notes():
             self.out.note(note)
         return replace(mesh, groups=tuple(groups), features=features)
@@ -270,8 +307,7 @@ class Reader:
             self.out.note(f"Cells of higher order (elements of {most} nodes) are shown by their corners.")
         start = self.cells
         self.cells += len(rows.numbers)
-        owner.numbers.append(rows.numbers)
-        owner.rows.append(np.arange(start, self.cells))
+        owner.put(ELSET, rows.numbers, np.arange(start, self.cells))
         corners = corners + np.int32(nodes.first_node)
         self.out.blocks.append(CellBlock(kind, corners, self.locate, numbers=rows.numbers))
 

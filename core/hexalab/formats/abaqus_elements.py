@@ -1,4 +1,4 @@
-"""The volumetric elements of Abaqus and CalculiX by the names of their types.
+"""The elements of Abaqus and CalculiX by the names of their types: volumetric ones, and edges and faces.
 
 Sources: the element libraries of Abaqus' manual (solid, cohesive, gasket, continuum shell, solid shell, acoustic,
 heat transfer, piezoelectric, electromagnetic, fluid) and of CalculiX' (C3D, DC3D and F3D).
@@ -50,6 +50,20 @@ FACES = {
 }
 """Nodes of the faces S1, S2, ... of each kind (Abaqus Elements Guide, "Three-dimensional solid element library")."""
 
+PLANE = r"(?:S|M3D|R3D|SFM3D|DS|CPS|CPE|CPEG|CAX|DC2D|AC2D)"
+
+LOWER = (
+    (1, 2, re.compile(r"(?:T[23]D|RB?[23]D)([23])[A-Z]*"), {"2": 2, "3": 3}),
+    (1, 2, re.compile(r"(?:B[23]|PIPE[23])([123])[A-Z]*"), {"1": 2, "2": 3, "3": 2}),
+    (2, 3, re.compile(PLANE + r"([36])[A-Z]*"), {"3": 3, "6": 6}),
+    (2, 3, re.compile(r"STRI(3|65)"), {"3": 3, "65": 6}),
+    (2, 4, re.compile(PLANE + r"([489])(?:R5|[A-Z]*)"), {"4": 4, "8": 8, "9": 9}),
+)
+"""Elements of lower dimension: dimension, corners, name, and the number of nodes by the name's digits.
+
+They are trusses and rigid beams; beams and pipes; shells, membranes, rigid, surface and plane elements.
+"""
+
 VARIABLE = (("C3D27", 21, 27), ("C3D15V", 15, 18))
 """Types whose nodes in the middle of faces may be missing: fewest and most nodes."""
 
@@ -63,20 +77,29 @@ class ElementType:
     name : str
         As the file has it, in capitals.
     kind : int
-        Index into KINDS.
+        Index into KINDS; -1 of elements of lower dimension.
     least, most : int
         How many nodes a row has; they differ where nodes in the middle of faces may be missing.
+    dimension, corners : int
+        Of elements of lower dimension theirs.
     """
 
     name: str
     kind: int
     least: int
     most: int
+    dimension: int = 3
+    corners: int = 0
 
 
 @cache
 def element_type(name: str) -> ElementType | None:
-    """The type of that name, in capitals; None if it is none of volumetric elements that can be shown."""
+    """The type of that name, in capitals; None if it is none of elements that can be kept."""
+    for dimension, corners, pattern, nodes in LOWER:
+        lower = pattern.fullmatch(name)
+        if lower:
+            size = nodes[lower[1]]
+            return ElementType(name, -1, size, size, dimension, corners)
     match = NAME.fullmatch(name)
     if not match or LINE.fullmatch(name):
         return None

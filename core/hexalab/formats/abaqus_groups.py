@@ -10,6 +10,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
@@ -28,8 +29,17 @@ FACE_COUNT = np.array([len(FACES[kind]) for kind in range(len(FACES))])
 """How many there are, by kind."""
 
 NO_ROWS = NO_NUMBERS
-DEEPEST = 50
-"""Sets of sets of sets: more than that is a circle."""
+LOWER_KINDS = {1: "ELSET 1", 2: "ELSET 2"}
+"""The members of element sets that are edges or faces, in place of cells."""
+
+
+class Entry(NamedTuple):
+    """A set where it is defined: scope, name, what its keywords put into it, and a key of it."""
+
+    placed: Placed
+    name: str
+    lines: list[SetLines]
+    key: tuple[int, str]
 
 
 @dataclass(eq=False)
@@ -43,28 +53,41 @@ class Placed:
         Of its nodes.
     first_node : int
         Row of the first one.
-    numbers, rows : lists of (n,) integers
-        Numbers of its elements, block by block, and the rows of their cells.
+    elements : dict of str to lists of (n,) integers
+        Numbers of its elements, block by block, and their rows: of cells under ELSET, of edges and faces among the
+        features of their dimension under `LOWER_KINDS`.
     """
 
     scope: Scope
     nodes: Numbering
     first_node: int
-    numbers: list[Array] = field(default_factory=list)
-    rows: list[Array] = field(default_factory=list)
+    elements: dict[str, list[tuple[Array, Array]]] = field(default_factory=dict)
+
+    def put(self, kind: str, numbers: Array, rows: Array) -> None:
+        """Tell where elements have gone."""
+        self.elements.setdefault(kind, []).append((numbers, rows))
+
+    def rows_of(self, kind: str) -> Array:
+        """Rows of all elements of a kind."""
+        return np.concatenate([NO_ROWS, *(rows for _, rows in self.elements.get(kind, ()))])
 
     @cached_property
-    def _cells(self) -> tuple[Numbering, Array]:
-        if not self.numbers:
-            return Numbering(NO_ROWS), NO_ROWS
-        return Numbering(np.concatenate(self.numbers)), np.concatenate(self.rows)
+    def _numbered(self) -> dict[str, tuple[Numbering, Array]]:
+        return {
+            kind: (Numbering(np.concatenate([numbers for numbers, _ in blocks])), self.rows_of(kind))
+            for kind, blocks in self.elements.items()
+        }
 
-    def cells_of(self, numbers: Array) -> tuple[Array, int]:
-        """Rows of the elements of those numbers, and how many are no cells."""
-        numbering, rows = self._cells
-        places = numbering.places(numbers)
-        found = places[places >= 0]
-        return rows[found] if len(found) else NO_ROWS, len(places) - len(found)
+    def elements_of(self, kind: str, numbers: Array) -> tuple[Array, int]:
+        """Rows of the elements of those numbers, and how many are none that is kept."""
+        own: Array = NO_ROWS
+        there = np.zeros(numbers.shape, dtype=bool)
+        for other, (numbering, rows) in self._numbered.items():
+            places = numbering.places(numbers)
+            there |= places >= 0
+            if other == kind:
+                own = rows[places[places >= 0]]
+        return own, int(np.count_nonzero(~there))
 
     def nodes_of(self, numbers: Array) -> tuple[Array, int]:
         """Rows of the nodes of those numbers, and how many are not there."""
@@ -74,9 +97,9 @@ class Placed:
 
     def lines_of(self, kind: str, name: str) -> Iterator[SetLines]:
         """What its keywords put into a set."""
-        upper = name.upper()
+        upper, asked = name.upper(), kind.partition(" ")[0]
         return (
-            lines for lines in self.scope.defined.sets if lines.kind == kind and lines.name.upper() == upper
+            lines for lines in self.scope.defined.sets if lines.kind == asked and lines.name.upper() == upper
         )
 
 
@@ -101,48 +124,78 @@ class Resolver:
         }
         self.lost: Counter[str] = Counter()
         self.unknown: list[str] = []
-        self.known: dict[tuple[int, str, str], Array] = {}
+        self.known: dict[tuple[int, str, str], Array | None] = {}
 
-    def members(self, placed: Placed, kind: str, name: str, depth: int = 0) -> Array | None:
-        """Rows of a set's members as a scope sees it, rising; None if there is no such set."""
+    def members(self, placed: Placed, kind: str, name: str) -> Array | None:
+        """Rows of a set's members as a scope sees it, rising; None if there is no such set.
+
+        They are those of all sets that can be reached by names, each gone through once.
+        """
         key = (id(placed), kind, name.upper())
-        if key in self.known:
-            return self.known[key]
-        found: list[Array] = []
-        lines = list(placed.lines_of(kind, name))
-        if not lines and "." in name:
-            instance, _, rest = name.partition(".")
-            if instance.upper() in self.instances and rest:
-                return self.entry(self.instances[instance.upper()], kind, rest, depth)
-        if not lines:
+        if key not in self.known:
+            self.known[key] = self.gathered(placed, kind, name)
+        return self.known[key]
+
+    def gathered(self, placed: Placed, kind: str, name: str) -> Array | None:
+        """The members, without looking up what is known."""
+        start = self.found(placed, kind, name)
+        if start is None:
             return None
-        for line in lines:
-            where = self.instances.get(line.instance.upper(), placed) if line.instance else placed
-            for numbers in line.numbers:
-                found.append(self.rows(where, kind, numbers, name))
-            for other in line.names if depth < DEEPEST else ():
-                rows = self.entry(where, line.of or kind, other, depth + 1)
-                if rows is None:
-                    self.unknown.append(other)
-                elif line.of:
-                    found.append(self.nodes_of_cells(rows))
-                else:
-                    found.append(rows)
-        members = np.unique(np.concatenate(found)) if found else NO_ROWS
-        if not depth:
-            self.known[key] = members
+        rows: list[Array] = [NO_ROWS]
+        waiting, seen = [start], {start.key}
+        while waiting:
+            entry = waiting.pop()
+            for line in entry.lines:
+                where = (
+                    self.instances.get(line.instance.upper(), entry.placed) if line.instance else entry.placed
+                )
+                rows += [self.rows(where, kind, numbers, entry.name) for numbers in line.numbers]
+                for other in line.names:
+                    if line.of:
+                        cells = self.entry(where, line.of, other)
+                        rows.append(self.nodes_of_cells(cells) if cells is not None else NO_ROWS)
+                        self.unknown += [other] if cells is None else []
+                        continue
+                    following = self.found(where, kind, other)
+                    if following is None:
+                        rows.append(self.numbered(where, kind, other))
+                    elif following.key not in seen:
+                        seen.add(following.key)
+                        waiting.append(following)
+        members: Array = np.unique(np.concatenate(rows))
         return members
 
-    def entry(self, placed: Placed, kind: str, word: str, depth: int) -> Array | None:
-        """Rows that a name or a number stands for."""
-        if word.isdigit():
+    def found(self, placed: Placed, kind: str, name: str) -> Entry | None:
+        """The set of a name, or of "INSTANCE.NAME"; None if there is none."""
+        lines = list(placed.lines_of(kind, name))
+        if lines:
+            return Entry(placed, name, lines, (id(placed), name.upper()))
+        instance, dot, rest = name.partition(".")
+        inside = self.instances.get(instance.upper())
+        return self.found(inside, kind, rest) if dot and rest and inside and inside is not placed else None
+
+    def numbered(self, placed: Placed, kind: str, word: str) -> Array:
+        """Rows of a number that stands among names: "INSTANCE.NUMBER"; none of a name that is not there."""
+        instance, _, number = word.partition(".")
+        inside = self.instances.get(instance.upper())
+        if inside and number.isdigit() and len(number) < 19:
+            return self.rows(inside, kind, np.array([int(number)]), word)
+        self.unknown.append(word)
+        return NO_ROWS
+
+    def entry(self, placed: Placed, kind: str, word: str) -> Array | None:
+        """Rows that a name or a number stands for; None if there is no such set."""
+        if word.isdigit() and len(word) < 19:
             return self.rows(placed, kind, np.array([int(word)]), word)
-        return self.members(placed, kind, word, depth)
+        rows = self.members(placed, kind, word)
+        if rows is None and "." in word and word.rpartition(".")[2].isdigit():
+            return self.numbered(placed, kind, word)
+        return rows
 
     def rows(self, placed: Placed, kind: str, numbers: Array, name: str) -> Array:
         """Rows of elements or nodes; those that are not there are counted under the set's name."""
-        rows, lost = placed.cells_of(numbers) if kind == ELSET else placed.nodes_of(numbers)
-        if lost:
+        rows, lost = placed.nodes_of(numbers) if kind == NSET else placed.elements_of(kind, numbers)
+        if lost and kind in (ELSET, NSET):
             self.lost[name] += lost
         return rows
 
@@ -164,8 +217,9 @@ class Resolver:
     def pieces(self) -> Iterator[Group]:
         """The instances, or the parts where none is instanced."""
         for placed in self.scopes:
-            if placed.scope.kind in (INSTANCE, PART) and placed.rows:
-                yield Group(placed.scope.name, placed.scope.kind, np.concatenate(placed.rows))
+            rows = placed.rows_of(ELSET)
+            if placed.scope.kind in (INSTANCE, PART) and len(rows):
+                yield Group(placed.scope.name, placed.scope.kind, rows)
 
     def materials(self) -> Iterator[Group]:
         """The cells of each material, by the sections of their sets."""
@@ -182,19 +236,22 @@ class Resolver:
 
     def sets(self, kind: str, on: On) -> Iterator[Group]:
         """The sets of a kind that no program made for its own use, and that have a member."""
+        origin = kind.partition(" ")[0]
         listed = [
-            (placed, name) for placed in self.scopes for name in listed_names(placed.scope.defined.sets, kind)
+            (placed, name)
+            for placed in self.scopes
+            for name in listed_names(placed.scope.defined.sets, origin)
         ]
         times = Counter(name.upper() for _, name in listed)
         for placed, name in listed:
             members = self.members(placed, kind, name)
             if members is not None and len(members):
-                yield Group(called(placed.scope, name, times), kind.lower(), members, on)
+                yield Group(called(placed.scope, name, times), origin.lower(), members, on)
 
     def node_surfaces(self) -> Iterator[Group]:
         """Surfaces that are made of nodes."""
         for placed, surface, name in self.surfaces(of_nodes=True):
-            rows = [self.entry(placed, NSET, word, 0) for word, _ in surface.rows]
+            rows = [self.entry(placed, NSET, word) for word, _ in surface.rows]
             members = [some for some in rows if some is not None]
             if members:
                 yield Group(name, "surface", np.concatenate(members), "vertex")
@@ -211,14 +268,21 @@ class Resolver:
         for placed, surface in listed:
             yield placed, surface, called(placed.scope, surface.name, times)
 
-    def features(self) -> list[FeatureBlock]:
+    def features(self, lower: list[FeatureBlock]) -> list[FeatureBlock]:
+        """Elements of lower dimension with their sets, and the faces of all surfaces with a group for each."""
+        for block in lower:
+            kind = LOWER_KINDS[block.dimension]
+            block.groups += self.sets(kind, "cell")
+        return [*lower, *self.faces_of_surfaces()]
+
+    def faces_of_surfaces(self) -> list[FeatureBlock]:
         """The faces of all surfaces, each once, with a group for each surface."""
         found: list[tuple[str, Array]] = []
         passed_over = 0
         for placed, surface, name in self.surfaces(of_nodes=False):
             sides = []
             for word, face in surface.rows:
-                cells = self.entry(placed, ELSET, word, 0)
+                cells = self.entry(placed, ELSET, word)
                 if cells is None:
                     self.unknown.append(word)
                     continue

@@ -29,7 +29,8 @@ class Scope:
         Where an instance lies.
     tags, points : lists of (n,) integers and (3, n) float64
         Numbers and coordinates of nodes, block by block.
-    elements : list of ElementRows
+    elements, lower : list of ElementRows
+        Volumetric ones, and those of lower dimension.
     left_out : dict of str to int
         How many elements of other types there are.
     defined : Definitions
@@ -45,6 +46,7 @@ class Scope:
     elements: list[ElementRows] = field(default_factory=list)
     left_out: dict[str, int] = field(default_factory=dict)
     defined: Definitions = field(default_factory=Definitions)
+    lower: list[ElementRows] = field(default_factory=list)
 
     @property
     def empty(self) -> bool:
@@ -66,7 +68,7 @@ class Scope:
         return Scope(
             INSTANCE, self.name, self.part, self.placement,
             part.tags + self.tags, part.points + self.points, part.elements + self.elements, left_out,
-            part.defined + self.defined,
+            part.defined + self.defined, part.lower + self.lower,
         )  # fmt: skip
 
     def nodes(self) -> tuple[Array, Floats, int]:

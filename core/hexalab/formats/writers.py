@@ -8,11 +8,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
+import numpy as np
+
 from ..arrays import Array
 from ..errors import MeshWriteError
 from ..grouping import Grouping
 from ..groups import Group
 from ..mesh import Mesh
+from ..topology.lookup import sides_of
 from . import gmsh_entities, write_abaqus, write_gmsh, write_medit, write_meditb, write_vtk, write_vtu
 from .medit_features import REFERENCE
 from .writing import numbers_kept
@@ -61,6 +64,8 @@ class Writer:
         Whether groups of vertices have a place.
     dimensions : tuple of int
         Which features have a place.
+    faces_of_cells : bool
+        Whether faces have one only where they are those of cells.
     """
 
     id: str
@@ -75,6 +80,7 @@ class Writer:
     memberships: Literal["all", "one", "number"] = "all"
     nodes: bool = True
     dimensions: tuple[int, ...] = (0, 1, 2)
+    faces_of_cells: bool = False
 
 
 WRITERS: tuple[Writer, ...] = (
@@ -118,6 +124,7 @@ WRITERS: tuple[Writer, ...] = (
         write_abaqus.keeps,
         write_abaqus.LARGEST_NUMBER,
         dimensions=(2,),
+        faces_of_cells=True,
     ),
 )  # fmt: skip
 """The formats that are written."""
@@ -215,6 +222,13 @@ def features_lost(mesh: Mesh, row: Writer) -> Iterator[str]:
     lost = [f"{part.count:,} {part.called}" for part in mesh.features if part.dimension not in row.dimensions]
     if lost:
         yield f"{row.name} has no place for elements of lower dimension: {', '.join(lost)} left out."
+    for part in mesh.features if row.faces_of_cells else ():
+        if part.dimension == 2:
+            cells, _ = sides_of(mesh.corners, mesh.vertex_count, part.corners)
+            count = int(np.count_nonzero(cells < 0))
+            if count:
+                others = "other is" if count == 1 else "others are"
+                yield f"{row.name} has surfaces of faces of cells: {count:,} {others} left out."
 
 
 def names_told(groups: Sequence[Group]) -> str:

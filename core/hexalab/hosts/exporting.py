@@ -19,6 +19,18 @@ EXPORT = f"""async ({{ method, args }}) => {{
   }}
 }}"""
 
+REPORT_PICTURES = f"""async () => {{
+  try {{
+    const taken = await window.hexalab.reportPictures();
+    const made = taken.map(async ({{ title, alt, picture }}) => ({{
+      title, alt, data: ({BASE64})(new Uint8Array(await picture.arrayBuffer())),
+    }}));
+    return {{ taken: await Promise.all(made) }};
+  }} catch (error) {{
+    return {{ failed: error.message ?? String(error) }};
+  }}
+}}"""
+
 Made = Literal["surface", "page", "turntable"]
 """What can be made: methods of `window.hexalab`."""
 
@@ -65,3 +77,30 @@ def export(
     with renderer.shown(mesh, status) as shown:
         answer = renderer.answer(EXPORT, {"method": made, "args": arguments}, mesh.name)
     return Export(base64.b64decode(answer["data"]), answer["notes"], shown["rejections"])
+
+
+def report_pictures(renderer: Renderer, mesh: Offer, unit: str = "none") -> list[dict[str, Any]]:
+    """Take the pictures of a mesh's report.
+
+    Parameters
+    ----------
+    renderer : Renderer
+        Started.
+    mesh : Offer
+    unit : str
+        Of length, one of `hexalab.status.LENGTH_UNITS`.
+
+    Returns
+    -------
+    list of dict
+        `title`, `alt`, `data` (a PNG) of each.
+
+    Raises
+    ------
+    RenderError
+        The mesh can't be read, or the browser gave up.
+    """
+    light = {"lighting": {"mode": "none"}}  # the pictures have their own; until then none is waited for
+    with renderer.shown(mesh, {"unit": unit, **light}):
+        taken = renderer.answer(REPORT_PICTURES, {}, mesh.name)["taken"]
+    return [{**one, "data": base64.b64decode(one["data"])} for one in taken]

@@ -47,6 +47,9 @@ class Offer(Protocol):
     def sha256(self) -> str:
         """SHA-256 of the file that it was read from, in hexadecimal; "" where there is none."""
 
+    def size(self) -> int | None:
+        """Bytes of that file; None where there is none."""
+
 
 class FileOffer:
     """A file that may be opened again and again, by several pages; the version that was read last is kept.
@@ -95,6 +98,11 @@ class FileOffer:
         except OSError:
             return ""
 
+    def size(self) -> int | None:
+        """Bytes of the file as it is now; None where it is not there."""
+        stamp = stamp_of(self.path)
+        return stamp[1] if stamp else None
+
     def _try(self) -> None:
         try:
             self.mesh()
@@ -127,6 +135,10 @@ class BytesOffer:
         """Hash its bytes."""
         return hashlib.sha256(self.data).hexdigest()
 
+    def size(self) -> int:
+        """Count its bytes."""
+        return len(self.data)
+
 
 class Easel:
     """Holds one offer after the other, for a page that is shown many."""
@@ -146,6 +158,10 @@ class Easel:
     def sha256(self) -> str:
         """That of what is on it."""
         return self._present.sha256()
+
+    def size(self) -> int | None:
+        """That of what is on it."""
+        return self._present.size()
 
     @property
     def _present(self) -> Offer:

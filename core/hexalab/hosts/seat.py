@@ -31,7 +31,9 @@ class Seat:
 
     def __init__(self, offers: Mapping[str, Offer]) -> None:
         self._offers = offers
-        self._door = Door(Session({name: offer.mesh for name, offer in offers.items()}))
+        meshes = {name: offer.mesh for name, offer in offers.items()}
+        sizes = {name: offer.size for name, offer in offers.items()}
+        self._door = Door(Session(meshes, sizes))
         self._lock = threading.Lock()
 
     def answer(self, question: Question) -> tuple[Packed, float]:

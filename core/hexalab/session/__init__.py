@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import gc
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
 from time import perf_counter
 from typing import Any
 
@@ -22,7 +21,6 @@ from numpy.typing import NDArray
 from .. import attributes
 from .. import status as documents
 from ..cell_lists import cell_list
-from ..diagnosis import turn_round
 from ..errors import HexaLabError
 from ..formats import read_bytes
 from ..mesh import Mesh
@@ -30,9 +28,10 @@ from ..packing import jsonable
 from . import going, inspection, known, measuring, shown_cells
 from .opened import DESCRIBED, Opened
 from .picture import Picture, quantity_of
+from .preparing import prepared
 from .preview import preview_of
 
-__all__ = ["DESCRIBED", "Session"]
+__all__ = ["DESCRIBED", "Session", "prepared"]
 
 Result = dict[str, Any]
 
@@ -42,19 +41,8 @@ SETTINGS = documents.core_part(documents.DEFAULTS)
 Offers = Mapping[str, Callable[[], Mesh]]
 """Meshes that whoever holds the session has at hand, by names of theirs; each `prepared`, when it is asked for."""
 
-
-def prepared(mesh: Mesh) -> Mesh:
-    """Make a mesh ready to be opened: turned round where all its cells are inverted, and in a unit within reach.
-
-    Where its coordinates are too large or too small for products, they are told in another unit, which a note names.
-    """
-    mesh = turn_round(mesh)
-    near, exponent = mesh.within_reach
-    if not exponent:
-        return mesh
-    tens = round(exponent * np.log10(2))
-    note = f"Lengths are told in units of 2^{exponent} (about 1e{tens}) of the file's own, which is out of reach."
-    return replace(near, notes=[*near.notes, note])
+Sizes = Mapping[str, Callable[[], int | None]]
+"""Bytes of the files that these were read from."""
 
 
 class Session:
@@ -64,14 +52,18 @@ class Session:
     ----------
     offers : mapping of str to callable, optional
         Meshes that can be opened without their bytes being sent.
+    sizes : mapping of str to callable, optional
+        Bytes of the files that these are, for reports.
 
     >>> session = Session()
     >>> summary = session.open("cube.mesh", data)                                    # doctest: +SKIP
     >>> session.update({"filters": {"peel": {"depth": 1}}})["shown_cells"]           # doctest: +SKIP
     """
 
-    def __init__(self, offers: Offers | None = None) -> None:
+    def __init__(self, offers: Offers | None = None, sizes: Sizes | None = None) -> None:
         self._offers: Offers = offers or {}
+        self._sizes: Sizes = sizes or {}
+        self._size: int | None = None
         self._settings: Result = SETTINGS
         self._opened: Opened | None = None
         self._picture: Picture | None = None
@@ -100,7 +92,9 @@ class Session:
         began = perf_counter()
         mesh = read_bytes(data, name, companions)
         read = perf_counter()
-        return self._begin(prepared(mesh), began, read)
+        summary = self._begin(prepared(mesh), began, read)
+        self._size = len(data)
+        return summary
 
     def open_offered(self, name: str) -> Result:
         """Open a mesh that whoever holds the session offers; as `open`.
@@ -121,7 +115,9 @@ class Session:
             raise HexaLabError(f"nothing is offered by the name of {name!r}")
         began = perf_counter()
         mesh = self._offers[name]()
-        return self._begin(mesh, began, perf_counter())
+        summary = self._begin(mesh, began, perf_counter())
+        self._size = self._sizes[name]() if name in self._sizes else None
+        return summary
 
     def _begin(self, mesh: Mesh, began: float, read: float) -> Result:
         """Make a mesh the open one; the summary tells how long it took since `began`, and reading until `read`."""
@@ -184,16 +180,7 @@ class Session:
         dict
             `partial`, `rejections` (list of {path, found, expected}), `form`: "hexalab" or "original".
         """
-        if isinstance(document, str):
-            document = documents.parse(document)
-        opened = self._opened
-        form = "original" if documents.is_original(document) else "hexalab"
-        original = opened.for_original() if opened and form == "original" else None
-        partial, rejections = documents.read(document, original)
-        identity = {"mesh": partial["mesh"]} if "mesh" in partial else {}
-        partial, unknown = known.checked(partial, opened)
-        told = [rejection.as_dict() for rejection in rejections + unknown]
-        return {"partial": {**partial, **identity}, "rejections": told, "form": form}
+        return known.read(document, self._opened)
 
     def update(self, changed: Result | None = None, lean: bool = False, whole: bool = False) -> Result:
         """Take on settings that changed and return what is drawn otherwise than before.
@@ -276,6 +263,26 @@ class Session:
             "vertices": part.vertex_count,
             **shown_cells.shown_file(part, format),
         }
+
+    def report(
+        self,
+        form: str,
+        about: Result | None = None,
+        pictures: Sequence[Result] = (),
+        criteria: Any = None,
+        strict: bool = False,
+    ) -> Result:
+        """Write the report of the mesh, as "html", "md", "json" or "xml"; see `reporting.report_of`."""
+        from . import reporting  # when it is first needed: a browser's Python starts the sooner
+
+        told = {"bytes": self._size, **(about or {})}
+        return reporting.report_of(self._open_mesh(), form, told, pictures, criteria, strict)
+
+    def report_poses(self, unit: str = "none") -> list[Result]:
+        """Tell which pictures a report asks for; see `reporting.poses_of`."""
+        from . import reporting
+
+        return reporting.poses_of(self._open_mesh(), unit)
 
     # -- quality
 
@@ -370,11 +377,7 @@ class Session:
 
     def finding_cells(self, finding: str) -> NDArray[np.uint32]:
         """Return the cells that a finding of the diagnosis concerns, or those around its vertices."""
-        opened = self._open_mesh()
-        for found in opened.findings:
-            if found.id == finding:
-                return inspection.cells_of(opened.mesh, found)
-        raise HexaLabError(f"the diagnosis found no {finding!r}")
+        return inspection.finding_cells(self._open_mesh(), finding)
 
     # -- within
 

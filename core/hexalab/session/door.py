@@ -25,6 +25,8 @@ METHODS = (
     "check",
     "update",
     "save_cells",
+    "report",
+    "report_poses",
     "quality",
     "histogram",
     "worst",

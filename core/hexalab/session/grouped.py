@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import Array, Ids
+from ..contacts import contacts
 from ..errors import HexaLabError
-from ..group_facts import interfaces, listed_groups, touching
+from ..group_facts import interfaces, listed_groups, meeting
 from ..grouping import Grouping, groupings, groups_of
 from ..groups import Group
 from ..mesh import Mesh
@@ -86,7 +87,7 @@ class GroupBook:
         """Colour of each group of an origin, (G,): those that meet have different ones as far as colours go."""
         if origin not in self._colours:
             grouping = self.grouping(origin)
-            pairs = [pair for pair in self.interfaces(origin) if pair[0] >= 0]
+            pairs = [pair for pair in meeting(grouping, self._mesh.topology) if pair[0] >= 0]
             self._colours[origin] = apart(len(grouping.groups), pairs, GROUP_COLOURS)
         return self._colours[origin]
 
@@ -97,7 +98,8 @@ class GroupBook:
         -------
         list of dict
             For each pair `groups` (two ids; None stands for cells in no group), `faces` (those that both share),
-            `apart` (pairs of faces that lie on each other and are not joined), `colour` of the faces.
+            `apart` (faces of the one that lie on the other
+            and are not joined to it; see `hexalab.contacts`), `colour` of the faces.
         """
         if origin not in self._tables:
             self._tables[origin] = self._interface_table(origin)
@@ -105,7 +107,7 @@ class GroupBook:
 
     def _interface_table(self, origin: str) -> list[dict[str, Any]]:
         grouping, shared = self.grouping(origin), self.interfaces(origin)
-        apart_too = touching(self._mesh, grouping)
+        apart_too = contacts(self._mesh, grouping.labels)
         colours = {pair: place % PAIR_COLOURS for place, pair in enumerate(shared)}
 
         def name(place: int) -> str | None:

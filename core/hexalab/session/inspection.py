@@ -12,6 +12,7 @@ from ..arrays import Array
 from ..attributes import average_corners, cell_values
 from ..cells import CORNERS_OF_KIND, EDGES, KINDS
 from ..diagnosis import Finding
+from ..errors import HexaLabError
 from ..mesh import Mesh
 from ..numbering import cell_numbers, vertex_numbers
 from ..quality import METRICS, certify, quality_many
@@ -158,6 +159,20 @@ def _edges(mesh: Mesh, frame: Frame, cell: int) -> NDArray[np.float32]:
     pairs = {tuple(sorted((int(corners[a]), int(corners[b])))) for a, b in EDGES if corners[a] != corners[b]}
     ends = mesh.points[np.array(sorted(pairs), dtype=np.intp).reshape(-1)]
     return np.asarray((ends - frame.centre) / frame.diagonal, dtype=np.float32).reshape(-1)
+
+
+def finding_cells(opened: Opened, finding: str) -> NDArray[np.uint32]:
+    """Return the cells that a finding of the diagnosis concerns; see `cells_of`.
+
+    Raises
+    ------
+    HexaLabError
+        The diagnosis found nothing of that id.
+    """
+    for found in opened.findings:
+        if found.id == finding:
+            return cells_of(opened.mesh, found)
+    raise HexaLabError(f"the diagnosis found no {finding!r}")
 
 
 def cells_of(mesh: Mesh, finding: Finding) -> NDArray[np.uint32]:

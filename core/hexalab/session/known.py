@@ -4,11 +4,25 @@ from __future__ import annotations
 
 from typing import Any
 
+from .. import status as documents
 from ..quality import METRICS
 from ..status import Rejection
 from .opened import Opened
 
 Partial = dict[str, Any]
+
+
+def read(document: Any, opened: Opened | None) -> dict[str, Any]:
+    """Read any settings document, parsed or its text, as far as it applies to the open mesh; see `Session.check`."""
+    if isinstance(document, str):
+        document = documents.parse(document)
+    form = "original" if documents.is_original(document) else "hexalab"
+    original = opened.for_original() if opened and form == "original" else None
+    partial, rejections = documents.read(document, original)
+    identity = {"mesh": partial["mesh"]} if "mesh" in partial else {}
+    partial, unknown = checked(partial, opened)
+    told = [rejection.as_dict() for rejection in rejections + unknown]
+    return {"partial": {**partial, **identity}, "rejections": told, "form": form}
 
 
 def checked(partial: Partial, opened: Opened | None) -> tuple[Partial, list[Rejection]]:

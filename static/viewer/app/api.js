@@ -164,9 +164,48 @@ export class HexaLab {
     return this.#app.turntable.file(options);
   }
 
+  /**
+   * The report of the open mesh: what it is, and whether it passes.
+   *
+   * @param {string} [form] "html" with pictures, "md", "json" or "xml" (JUnit)
+   * @param {import("../state/leaving.js").ReportWanted} [wanted]
+   * @returns {Promise<{ file: Blob, ending: string, passed: boolean, notes: readonly string[] }>} notes: what it lacks
+   */
+  report(form = "html", wanted = {}) {
+    return this.#app.reports.file(form, wanted);
+  }
+
+  /** The pictures of a report: what each shows, and a PNG. @returns {Promise<{ title: string, alt: string, picture: Blob }[]>} */
+  reportPictures() {
+    return this.#app.reports.pictures();
+  }
+
   /** Statistics of a metric or an attribute over the mesh. @param {string} quantity id @returns {Promise<import("../state/answers.js").Statistics>} */
   quality(quantity) {
     return this.#app.client.call("quality", [quantity]);
+  }
+
+  /** The file's groups and its elements of lower dimension (SPEC R12, R13). @returns {Promise<Pick<import("../state/answers.js").Description, "groups" | "features">>} */
+  async groups() {
+    const { groups, features } = await this.#app.client.call("describe", ["groups"]);
+    if (!groups || !features) throw new Error("the core told no groups");
+    return { groups, features };
+  }
+
+  /** Size and quality of each group of cells. @returns {Promise<import("../state/answers.js").GroupMeasures[]>} */
+  groupStatistics() {
+    return this.#app.client.call("group_table", []);
+  }
+
+  /** Where the groups of an origin meet, such as "material". @param {string} origin @returns {Promise<import("../state/answers.js").Interface[]>} */
+  interfaces(origin) {
+    return this.#app.client.call("interfaces", [origin]);
+  }
+
+  /** Show a cell or a vertex, and what lies around it, by the number of its file (SPEC R11). @param {"cell" | "vertex"} kind @param {number} number */
+  async goTo(kind, number) {
+    await this.#app.goTo(kind, number);
+    await this.#app.drawing.drawn();
   }
 
   /**

@@ -18,6 +18,7 @@ import { rememberPreferences } from "./preferences.js";
 import { Progress } from "./progress.js";
 import { Shared } from "./shared.js";
 import { SinglePage } from "./single_page.js";
+import { Reports } from "./reports.js";
 import { Saving } from "./saving.js";
 import { StartWatch } from "./start_watch.js";
 import { Steps } from "./steps.js";
@@ -79,6 +80,7 @@ export class App {
     this.leaving = new Leaving(this);
     this.singlePage = new SinglePage(this);
     this.turntable = new Turntable(this);
+    this.reports = new Reports(this);
     this.steps = new Steps(this);
     this.lastFiles = new LastFiles(this);
     this.batch = new Batch(this);

@@ -1,5 +1,6 @@
 /**
  * What is taken of the picture under settings that are set for that alone, one after the other; they are then what they were.
+ * One may be within another, as a figure within a report.
  *
  * @template Taken
  * @param {Pick<import("./app.js").App, "store" | "drawing" | "facts">} app
@@ -9,6 +10,7 @@
  */
 export async function posed({ store, drawing, facts }, poses, take) {
   const { status } = store;
+  const within = facts.get("posing");
   const taken = [];
   facts.set({ posing: true });
   try {
@@ -21,7 +23,7 @@ export async function posed({ store, drawing, facts }, poses, take) {
     const touched = new Set(poses.flatMap((pose) => Object.keys(pose)));
     const before = Object.entries(status).filter(([part]) => touched.has(part));
     store.set(Object.fromEntries(before), { undo: false });
-    facts.set({ posing: false });
+    facts.set({ posing: within });
     await drawing.drawn();
   }
   return taken;

@@ -9,6 +9,8 @@
  * @property {{ args: [document: unknown], answer: Checked }} check
  * @property {{ args: [changed?: PartialStatus, lean?: boolean, whole?: boolean], answer: Update }} update
  * @property {{ args: [format: string, metrics?: readonly string[], attributes?: readonly string[] | null], answer: SavedCells }} save_cells
+ * @property {{ args: [form: string, about?: ReportAbout, pictures?: readonly ReportPicture[], criteria?: unknown, strict?: boolean], answer: Report }} report
+ * @property {{ args: [unit?: string], answer: ReportPose[] }} report_poses
  * @property {{ args: [quantity: string], answer: Statistics }} quality
  * @property {{ args: [quantity: string, bins?: number, shown_only?: boolean], answer: Histogram }} histogram
  * @property {{ args: [quantity: string, count?: number], answer: Worst }} worst
@@ -34,6 +36,10 @@
  * @typedef {import("../state/answers.js").Statistics} Statistics
  * @typedef {import("../state/answers.js").Histogram} Histogram
  * @typedef {import("../state/answers.js").SavedCells} SavedCells
+ * @typedef {import("../state/answers.js").Report} Report
+ * @typedef {import("../state/answers.js").ReportPose} ReportPose
+ * @typedef {import("../state/leaving.js").ReportAbout} ReportAbout
+ * @typedef {import("../state/leaving.js").ReportPicture} ReportPicture
  * @typedef {import("../state/answers.js").Worst} Worst
  * @typedef {import("../state/answers.js").Validity} Validity
  * @typedef {import("../state/answers.js").GroupMeasures} GroupMeasures

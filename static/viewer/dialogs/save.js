@@ -87,6 +87,7 @@ export function saveDialog(context) {
         file,
         ending,
         notes: lacks,
+        part = "",
       } = await way().save(context, {
         format: format.value,
         quantities: quantities.chosen(way().quantities),
@@ -94,8 +95,9 @@ export function saveDialog(context) {
         report: (done, of) => setText(result, `${done} of ${counted(of, "picture")}`),
         ...rows.get(way().id)?.values(),
       });
-      saveFile(file, `${app.saving.stem}.${ending}`);
-      setText(result, `Saved: ${app.saving.stem}.${ending}, ${fileSize(file.size)}`);
+      const name = `${app.saving.stem}${part}.${ending}`;
+      saveFile(file, name);
+      setText(result, `Saved: ${name}, ${fileSize(file.size)}`);
       notes.replaceChildren(...lacks.map((note) => h("li", {}, note)));
     } catch (error) {
       setText(

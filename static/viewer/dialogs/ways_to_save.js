@@ -86,6 +86,23 @@ export const WAYS = [
     },
   },
   {
+    id: "report",
+    name: "A report",
+    words:
+      "What is known of the file: identity, findings, validity, quality by the file's own numbers. It prints well.",
+    quantities: "none",
+    formats: () => [
+      { id: "html", name: "A page with pictures (.html)" },
+      { id: "md", name: "Markdown (.md)" },
+      { id: "json", name: "JSON (.json)" },
+      { id: "xml", name: "JUnit XML (.xml)" },
+    ],
+    rows: () => none(),
+    async save({ app }, { format }) {
+      return { ...(await app.reports.file(format)), part: "-report" };
+    },
+  },
+  {
     id: "turntable",
     name: "A turntable",
     words: "Pictures around the mesh, once about what is upright: an archive of them, or a video.",

@@ -98,7 +98,9 @@ function openers(dialogs) {
   return [
     barButton("share", "Share", "Link, embedding, settings", () => dialogs.share.showModal()),
     barButton("image", "Image", "Save a picture", () => dialogs.image.showModal()),
-    barButton("save", "Save", "Save cells, surface, a page or a turntable", () => dialogs.save.showModal()),
+    barButton("save", "Save", "Save cells, surface, a page, a report or a turntable", () =>
+      dialogs.save.showModal(),
+    ),
     barButton("help", "", "Keys and help (?)", () => dialogs.help.showModal(), "Help"),
   ];
 }

@@ -84,7 +84,7 @@
  * @typedef {object} Interface  where two groups meet
  * @property {[string | null, string | null]} groups null: cells in no group
  * @property {number} faces that both share
- * @property {number} apart pairs of faces that lie on each other and are not joined
+ * @property {number} apart faces of the one that lie on the other and are not joined to it
  * @property {number | null} colour row of the palette of marks
  *
  * @typedef {object} Numbers  how the file numbers cells
@@ -152,6 +152,16 @@
  * @property {number} cells
  * @property {number} vertices
  * @property {string[]} notes what its format has no place for
+ *
+ * @typedef {object} Report  of the open mesh
+ * @property {string} text
+ * @property {string} ending of a file that holds it, without the dot
+ * @property {boolean} passed
+ *
+ * @typedef {object} ReportPose  a picture that a report asks for
+ * @property {string} title what stands below it
+ * @property {string} alt what is seen
+ * @property {PartialStatus} status
  *
  * @typedef {object} Preview  summary and first picture of a mesh of the catalogue, packed when the site is built
  * @property {BriefSummary} summary

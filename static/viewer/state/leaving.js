@@ -5,6 +5,7 @@
  * @property {Blob} file
  * @property {string} ending of its name, without the dot
  * @property {readonly string[]} notes what it lacks, a sentence each
+ * @property {string} [part] what its name says after the mesh's
  *
  * @typedef {object} CellsWanted
  * @property {readonly string[]} [metrics] that become attributes of the cells
@@ -39,6 +40,16 @@
  *
  * @typedef {{ file: (wanted?: PageWanted) => Promise<Blob> }} SinglePage
  * @typedef {{ file: (turn?: Turn) => Promise<Blob> }} Turntable
+ *
+ * @typedef {{ sha256: string, unit: string, notes?: readonly string[] }} ReportAbout  what the core does not know of the file
+ * @typedef {{ title: string, alt: string, address: string }} ReportPicture  address: a data URI
+ *
+ * @typedef {object} ReportWanted
+ * @property {unknown} [criteria] what the mesh has to hold, as a file of criteria has it; null: none
+ * @property {boolean} [strict] whether the errors of the diagnosis count beside criteria
+ * @property {boolean} [pictures] whether a page has them
+ *
+ * @typedef {{ file: (form?: string, wanted?: ReportWanted) => Promise<Left & { passed: boolean }> }} Reports
  */
 
 /** Each slice of a page brings a surface, each quantity a number for each cell. */

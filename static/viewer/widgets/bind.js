@@ -37,6 +37,7 @@
  * @property {import("../state/leaving.js").Leaving} leaving files for other programs
  * @property {import("../state/leaving.js").SinglePage} singlePage
  * @property {import("../state/leaving.js").Turntable} turntable
+ * @property {import("../state/leaving.js").Reports} reports
  * @property {(files: readonly File[]) => Promise<void>} offerBatch
  * @property {{ run: (entries: import("../files/zip.js").Entry[], options: Size & Run & { figures: boolean }) => Promise<{ zip: Blob, failed: { name: string, problem: string }[] }> }} batch
  * @property {{ toggle: () => unknown }} keeping offline, the open mesh

@@ -42,6 +42,7 @@ def test_A8_what_can_not_be_saved_is_told(viewer: Page) -> None:
         ("surface", "glb", "brick.glb", b"glTF"),
         ("page", "", "brick.html", b"<!doctype html>"),
         ("turntable", "zip", "brick.zip", b"PK"),
+        ("report", "html", "brick-report.html", b"<!doctype html>"),
     ],
 )
 def test_A8_the_dialog_saves(

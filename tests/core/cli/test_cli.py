@@ -19,9 +19,9 @@ import numpy as np
 import pytest
 
 from hexalab import Group, Mesh, cli, read, write
-from hexalab.cli.tables import number
 from hexalab.diagnosis import TURNED
 from hexalab.quality import METRICS
+from hexalab.words import number
 from tests.tools import needs
 
 ROOT = Path(__file__).parents[3]
@@ -182,7 +182,7 @@ def test_R11_the_worst_cells_by_the_numbers_of_the_file(run: Run, deck: Path) ->
     assert rows[0] == ["metric", "cell", "value", "x", "y", "z"] and rows[1][1] == "149"
     assert run(*words, "--as", "elset")[1] == "*ELSET, ELSET=WORST\n149, 142, 135\n"
     assert run(*words, "--as", "list")[1] == "149\n142\n135\n"
-    assert run(*words, "--as", "paraview")[1] == "in1d(id, [7, 6, 5])\n"
+    assert run(*words, "--as", "paraview")[1] == "isin(id, [7, 6, 5])\n"
     assert run("quality", deck, "--as", "list")[0] == 2
     assert run("quality", deck, "--worst", 0)[0] == 2
 

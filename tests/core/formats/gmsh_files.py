@@ -87,9 +87,9 @@ def make(
     return _alone(_make, files, wedges, order, gaps, partitions, named)
 
 
-def opened(path: Path) -> Opened:
-    """What Gmsh finds in a file."""
-    return _alone(_opened, path)
+def opened(path: Path, script: str = "", saved: Path | None = None) -> Opened:
+    """What Gmsh finds in a file, after a script was run; the outcome may be saved."""
+    return _alone(_opened, path, script, saved)
 
 
 def _alone(function: Callable[..., Any], *arguments: Any) -> Any:
@@ -168,13 +168,16 @@ def _told(gmsh: Any) -> Made:
     return Made(elements, dict(zip(map(int, tags), np.reshape(points, (-1, 3)), strict=True)))
 
 
-def _opened(path: Path) -> Opened:
+def _opened(path: Path, script: str, saved: Path | None) -> Opened:
     import gmsh
 
     gmsh.initialize()
     try:
         gmsh.option.setNumber("General.Terminal", 0)
         gmsh.open(str(path))
+        exec(script, {"gmsh": gmsh})
+        if saved:
+            gmsh.write(str(saved))
         found = Opened(_told(gmsh).points, {}, {}, {}, {}, {}, {}, {})
         for dimension, group in gmsh.model.getPhysicalGroups():
             members = []

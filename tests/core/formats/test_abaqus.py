@@ -55,11 +55,11 @@ def test_R5_mixed_elements_and_what_is_left_out() -> None:
         + INP_CELLS
         + "*ELEMENT, TYPE=C3D4\n1, 100, 20, 3, 7\n*ELEMENT, TYPE=C3D6\n2, 100,20,3,5,6,7\n"
     )
-    text += "*ELEMENT, TYPE=S4R\n3, 100, 20, 3, 4\n4, 5, 6, 7, 8000\n*ELEMENT, TYPE=C3D10\n7" + ", 20" * 10
+    text += "*ELEMENT, TYPE=U4\n3, 100, 20, 3, 4\n4, 5, 6, 7, 8000\n*ELEMENT, TYPE=C3D10\n7" + ", 20" * 10
     mesh = read_bytes(text.encode(), "x.inp")
     assert mesh.kind_counts == {"hexahedron": 1, "tetrahedron": 2, "wedge": 1}
     assert (signed_volumes(mesh)[:3] > 0).all()
-    assert "elements of type S4R (2)" in mesh.notes[1] and "higher order" in mesh.notes[0]
+    assert "elements of type U4 (2)" in mesh.notes[1] and "higher order" in mesh.notes[0]
 
 
 def test_R5_quadratic_hexahedra_over_two_lines() -> None:
@@ -115,7 +115,8 @@ def test_R5_files_of_meshio_and_gmsh(tmp_path: Path) -> None:
         ("4,0,1,0", ",0,1,0", ["line 8", "begins with a comma"]),
         ("4,0,1,0", "4.5,0,1,0", ["line 8", "number 4.5", "not whole"]),
         ("*Node, NSET=all", "*Nodes", ["no *NODE"]),
-        ("TYPE=C3D8R", "TYPE=S8R", ["no volumetric cells", "S8R"]),
+        ("TYPE=C3D8R", "TYPE=U8", ["no volumetric cells", "U8"]),
+        ("TYPE=C3D8R", "TYPE=S8R", ["no volumetric cells", "quadrilaterals (1)"]),
         ("TYPE=C3D8R", "KIND=C3D8R", ["no volumetric cells", "unknown"]),
     ],
 )  # fmt: skip

@@ -134,8 +134,6 @@ def test_R5_volumetric_families(kind: str, name: str) -> None:
 @pytest.mark.parametrize(
     "kind",
     [
-        "S8R",
-        "M3D8",
         "GK3D4L",
         "GK3D6L",
         "GK3D18",
@@ -143,7 +141,6 @@ def test_R5_volumetric_families(kind: str, name: str) -> None:
         "CIN3D8",
         "U8",
         "VU1",
-        "CPE8",
         "COH3D4",
         "SC1",
         "C3D7",

@@ -112,11 +112,11 @@ def test_R5_an_instance_of_a_part_that_is_not_there() -> None:
 
 
 def test_R5_what_is_left_out_is_counted_where_it_appears() -> None:
-    shell = "*Element, type=S4R\n2, 1, 2, 3, 4\n3, 5, 6, 7, 8\n"
+    shell = "*Element, type=U4\n2, 1, 2, 3, 4\n3, 5, 6, 7, 8\n"
     text = assembly(instance("one"), instance("two", "2, 0, 0\n")).replace(
         b"*End Part", shell.encode() + b"*End Part"
     )
-    assert "elements of type S4R (4)" in read_bytes(text, "x.inp").notes[0]
+    assert "elements of type U4 (4)" in read_bytes(text, "x.inp").notes[0]
 
 
 def test_R10_an_instance_without_a_place() -> None:

@@ -205,6 +205,40 @@ def test_R13_faces_of_other_kinds_by_their_numbers(kind: str) -> None:
     assert any("1 rows of surfaces" in note for note in mesh.notes)
 
 
+def test_R13_shells_and_beams_are_features_with_their_sets() -> None:
+    text = (
+        f"{NODES}{CELLS}*ELEMENT, TYPE=S4R, ELSET=floor\n101, 1, 2, 4, 3\n*ELEMENT, TYPE=STRI3, ELSET=tip\n"
+        "102, 13, 14, 16\n*ELEMENT, TYPE=B32, ELSET=beam\n201, 1, 5, 3\n*ELSET, ELSET=mixed\n10, 101, 201, tip\n"
+    )
+    mesh = read_bytes((HEADING + text).encode(), "x.inp")
+    assert of_features(mesh, 2) == {
+        "elset:floor": {frozenset((0, 1, 2, 3))},
+        "elset:tip": {frozenset((12, 13, 15))},
+        "elset:mixed": {frozenset((0, 1, 2, 3)), frozenset((12, 13, 15))},
+    }
+    assert of_features(mesh, 1) == {"elset:beam": {frozenset((0, 4))}, "elset:mixed": {frozenset((0, 4))}}
+    assert members(mesh) == {"elset:EALL": [0, 1, 2], "elset:mixed": [0]} and mesh.notes == []
+
+
+def test_R13_a_deck_of_gmsh_keeps_its_lines_and_surfaces(tmp_path: Path) -> None:
+    make(File(tmp_path / "x.inp"), wedges=False)
+    make(File(tmp_path / "x.msh"), wedges=False)
+    deck, mesh = read(tmp_path / "x.inp"), read(tmp_path / "x.msh")
+    assert {part.called: part.count for part in deck.features} == {
+        part.called: part.count for part in mesh.features if part.dimension
+    }
+    assert set(of_features(deck, 2)) == {
+        f"elset:Surface{tag}" for tag in np.unique(mesh.features[2].data["entity"])
+    }
+
+
+def test_R12_sets_that_name_many_sets_are_gone_through_once() -> None:
+    rows = "".join(f"*ELSET, ELSET=s{n}\ns{n + 1}, s{n + 1}\n" for n in range(60))
+    text = f"{NODES}{CELLS}{rows}*ELSET, ELSET=s60\n20,\n"
+    mesh = read_bytes((HEADING + text).encode(), "x.inp")
+    assert members(mesh)["elset:s0"] == [1]
+
+
 MEDIT = """MeshVersionFormatted 2
 Dimension 3
 Vertices

@@ -8,9 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hexalab.formats import WRITERS, left_behind, read, read_bytes, write_bytes, writer_of
+from hexalab.cell_lists import cell_list
+from hexalab.formats import WRITERS, left_behind, read, read_bytes, write, write_bytes, writer_of
 from hexalab.groups import Features, Group
 from hexalab.mesh import Mesh
+from hexalab.numbering import cell_numbers, cells_numbered
+from hexalab.quality import quality
 from hexalab.selection import select_cells
 from tests.core.formats.gmsh_files import opened
 from tests.core.formats.samples import grid, mixed
@@ -132,7 +135,10 @@ def test_R12_abaqus_holds_sets_and_surfaces(tmp_path: Path) -> None:
     assert sorted(there.cell_sets["STEEL"][0].tolist()) == [0, 1, 2, 5]
     assert sorted(there.point_sets["fixed"].tolist()) == [0, 3, 35]
     notes = " ".join(left_behind(mesh, writer_of(file)))
-    assert "2 corners, 3 edges left out" in notes
+    assert "2 corners, 3 edges left out" in notes and "left out." not in notes.replace("edges left out.", "")
+    inner = np.array([[0, 1, 2, 35]], dtype=np.int32).T
+    lost = replace(mesh, features=(Features(2, inner),))
+    assert "1 other is left out" in " ".join(left_behind(lost, writer_of(file)))
 
 
 @pytest.mark.parametrize("format_id", ["mesh", "meshb"])
@@ -207,3 +213,43 @@ def test_R12_a_part_of_a_mesh_takes_its_groups_and_features_along() -> None:
     whole = {tuple(map(tuple, mesh.points[column].tolist())) for column in mesh.features[2].corners.T}
     some = {tuple(map(tuple, part.points[column].tolist())) for column in part.features[-1].corners.T}
     assert some and some < whole
+
+
+def test_R11_the_worst_element_is_found_under_its_number_by_gmsh(tmp_path: Path) -> None:
+    sample = mixed()
+    mesh = sample_mesh(sample)
+    numbers = np.random.default_rng(2).permutation(mesh.cell_count) * 11 + 50
+    numbered = replace(mesh, cell_numbers=numbers, vertex_numbers=np.arange(mesh.vertex_count)[::-1] * 3 + 9)
+    write(numbered, tmp_path / "x.msh")
+    found = opened(tmp_path / "x.msh")
+    back = read(tmp_path / "x.msh")
+    volume = quality(back, "volume")
+    worst = int(np.argmin(volume))
+    tag = int(cell_numbers(back, [worst])[0])
+    _, nodes, _ = found.cells[tag]
+    place = np.mean([found.points[node] for node in nodes], axis=0)
+    np.testing.assert_allclose(place, back.barycentres[:, worst])
+    assert {int(number) for number in cell_numbers(back)} == set(found.cells)
+    assert cells_numbered(back, tag).tolist() == [worst]
+
+
+def test_R11_a_worst_element_listed_for_gmsh_becomes_a_group_there(tmp_path: Path) -> None:
+    mesh = grouped()
+    write(mesh, tmp_path / "x.msh")
+    script = cell_list(mesh, [4, 7], "gmsh", "WORST")
+    after = opened(tmp_path / "x.msh", script, tmp_path / "y.msh")
+    (name, tags) = next(
+        row for (dimension, _), row in after.groups.items() if row[0] == "WORST" and dimension == 3
+    )
+    assert name == "WORST" and tags == sorted(mesh.cell_numbers[[4, 7]].tolist())
+    again = read(tmp_path / "y.msh")
+    worst = next(group for group in again.groups if group.name == "WORST")
+    assert sorted(again.cell_numbers[worst.members].tolist()) == tags
+
+
+def test_R12_a_list_of_cells_is_an_element_set_for_meshio(tmp_path: Path) -> None:
+    mesh = replace(grouped(), groups=())
+    text = write_bytes(mesh, "inp") + cell_list(mesh, [1, 10], "elset", "WORST").encode()
+    (tmp_path / "x.inp").write_bytes(text)
+    assert sorted(meshio.read(tmp_path / "x.inp").cell_sets["WORST"][0].tolist()) == [1, 10]
+    assert members(read(tmp_path / "x.inp"))["elset:WORST"] == [1, 10]

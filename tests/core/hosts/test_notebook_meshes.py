@@ -50,6 +50,25 @@ def test_A6_a_mesh_of_meshio_is_taken_with_its_attributes():
     assert sorted(mesh.cell_data["load"].ravel()) == [3, 4]
 
 
+def test_R12_sets_and_lower_cells_of_meshio_become_groups_and_features():
+    meshio = pytest.importorskip("meshio")
+    given = meshio.Mesh(
+        POINTS,
+        [("quad", CELLS[:1, :4]), ("hexahedron", CELLS)],
+        cell_sets={"right": [np.array([], dtype=int), np.array([1])], "floor": [np.array([0]), None]},
+        point_sets={"fixed": np.array([0, 3])},
+    )
+    mesh = offer_of(given).mesh()
+    assert {group.id: group.members.tolist() for group in mesh.groups} == {
+        "set:right": [1],
+        "set:fixed": [0, 3],
+    }
+    (faces,) = mesh.features
+    assert faces.corners.T.tolist() == [CELLS[0, :4].tolist()]
+    assert [(group.name, group.members.tolist()) for group in faces.groups] == [("floor", [0])]
+    assert not mesh.cell_data and not given.cell_data, "what was given stays as it is"
+
+
 def test_A6_a_mesh_of_pyvista_is_taken_with_its_attributes():
     pyvista = pytest.importorskip("pyvista")
     cells = np.hstack([np.full((2, 1), 8), CELLS]).ravel()

@@ -83,6 +83,8 @@ def answers(attributed: bytes, infinite: bytes) -> Iterator[tuple[str, Any]]:
         yield "worst", core.ask("worst", quantity, 3)
         yield "values", core.ask("values", quantity)
     yield "validity", core.ask("validity")
+    yield "report", core.ask("report", "xml", {"sha256": ""}, [], [{"invalid": 0}], True)
+    yield "report_poses", core.ask("report_poses", "mm")
     yield from grouped_answers()
     yield "inspect", core.ask("inspect", 0)
     for quantity in ("relative_size_squared", "point:flow", "cell:load"):

@@ -13,6 +13,7 @@ import numpy as np
 
 from ...errors import HexaLabError
 from ...formats import read
+from ...formats.group_arrays import MARK
 from ...mesh import Mesh
 from ...session import prepared
 from ..offers import FileOffer, Offer
@@ -39,6 +40,9 @@ class MeshOffer:
         """It was read from no file."""
         return ""
 
+    def size(self) -> None:
+        """It was read from no file."""
+
 
 def offer_of(thing: Any) -> Offer:
     """Make whatever is to be shown a mesh at hand.
@@ -63,7 +67,8 @@ def offer_of(thing: Any) -> Offer:
         return offer
     maker = type(thing).__module__.split(".")[0]
     if maker == "meshio" and hasattr(thing, "cells"):
-        return MeshOffer(_through_file(lambda path: thing.write(path, file_format="vtu")), "meshio mesh")
+        whole = _with_sets(thing)
+        return MeshOffer(_through_file(lambda path: whole.write(path, file_format="vtu")), "meshio mesh")
     if maker == "pyvista" and hasattr(thing, "cast_to_unstructured_grid"):
         grid = thing.cast_to_unstructured_grid()
         return MeshOffer(_through_file(lambda path: grid.save(path, binary=True)), "PyVista mesh")
@@ -73,6 +78,22 @@ def offer_of(thing: Any) -> Offer:
         f"found {type(thing).__module__}.{type(thing).__qualname__}, expected a Mesh, a path, a mesh of meshio or "
         "PyVista, or arrays (points, cells)"
     )
+
+
+def _with_sets(mesh: Any) -> Any:
+    """A mesh of meshio whose sets of cells and points are arrays of 0 and 1, as they are read from a file."""
+    cells, points = dict(mesh.cell_data), dict(mesh.point_data)
+    for name, parts in mesh.cell_sets.items():
+        masks = [np.zeros(len(block.data), dtype=np.uint8) for block in mesh.cells]
+        for mask, rows in zip(masks, parts, strict=True):
+            if rows is not None:
+                mask[np.asarray(rows, dtype=np.int64)] = 1
+        cells[f"{MARK}set:{name}"] = masks
+    for name, rows in mesh.point_sets.items():
+        mask = np.zeros(len(mesh.points), dtype=np.uint8)
+        mask[np.asarray(rows, dtype=np.int64)] = 1
+        points[f"{MARK}set:{name}"] = mask
+    return type(mesh)(mesh.points, mesh.cells, point_data=points, cell_data=cells)
 
 
 def _through_file(write: Any) -> Mesh:
