@@ -216,8 +216,8 @@ def test_F4_cells_by_number_and_what_is_no_cell(mesh: Page) -> None:
     assert ui.drawn(mesh)[0] == CELLS - 4
     field.fill("3, 500")
     field.press("Enter")
-    assert "from 1 to 125" in field.evaluate("field => field.validationMessage")
-    assert ui.status(mesh)["filters"]["picking"]["hidden"] == [2, 9, 10, 11], "rows, from 0"
+    assert "1 to 125" in field.evaluate("field => field.validationMessage")
+    assert ui.status(mesh)["filters"]["picking"]["hidden"] == [2, 9, 10, 11], "Medit counts from 1"
     mesh.get_by_role("button", name="Clear what was picked").click()
     assert ui.drawn(mesh)[0] == CELLS
 

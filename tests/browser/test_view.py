@@ -18,6 +18,7 @@ import pytest
 from playwright.sync_api import Browser, Page
 
 import hexalab
+from tests.browser import grouped
 from tests.browser.conftest import grid
 from tests.browser.ui import set_status, status, summary, until
 
@@ -120,6 +121,24 @@ def test_A5_files_are_shown_chosen_and_kept_over_a_reload(
             set_status(other, {"filters": {"peel": {"depth": 1}}})
             assert summary(other)["shown"]["cells"] == 0
             assert summary(page)["shown"]["cells"] == 12, "pages have sessions of their own"
+
+
+def test_R12_groups_and_numbers_of_the_native_core(chromium: Browser, tmp_path: Path) -> None:
+    mesh = grouped.deck(tmp_path / "deck.inp")
+    with viewing(tmp_path / "deck.inp") as program, visited(chromium, program.address) as page:
+        page.evaluate("() => { for (const fold of document.querySelectorAll('details')) fold.open = true; }")
+        names = page.locator(".group-table tbody th")
+        until(lambda: names.all_text_contents()[:3] == ["STEEL", "RUBBER", "GLASS"])
+        until(lambda: "…" not in page.locator(".group-table tbody").inner_text())
+        volume = hexalab.quality(mesh, "volume")[grouped.sets(mesh)["STEEL_CELLS"]].sum()
+        assert float(page.locator(".group-table td").nth(4).inner_text()) == pytest.approx(volume, abs=6e-4)
+        page.get_by_role("checkbox", name="STEEL shown", exact=True).click()
+        until(lambda: summary(page)["shown"]["cells"] == 80)
+        page.locator("#go-to").fill("1301")
+        page.locator("#go-to").press("Enter")
+        until(lambda: page.locator(".inspector h2").inner_text() == "Cell 1301")
+        row = int((mesh.cell_numbers == 1301).argmax())
+        until(lambda: row in status(page)["filters"]["picking"]["shown"])
 
 
 def test_A5_it_shows_what_the_command_line_says(

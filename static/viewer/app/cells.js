@@ -96,11 +96,11 @@ export class Cells {
     const { client, store, messages, views } = this.#app;
     try {
       const found = await client.call("find", [kind, number, store.status.camera.direction]);
+      messages.settle("go");
       store.seal();
       if (found.around.length) store.set({ filters: { picking: isolate(found.around) } }, { undo: FLIGHT });
       if (found.cell >= 0) await this.inspect(found.cell);
       if (found.around.length) await views.flyToShown();
-      messages.settle("go");
       const { length } = found.rows;
       const note = (/** @type {string} */ text) => messages.say("note", text, { topic: "go" });
       if (length > 1)

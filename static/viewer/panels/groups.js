@@ -1,3 +1,4 @@
+import { FLIGHT } from "../app/views.js";
 import { markColour } from "../colours/marks.js";
 import { byOrigin, groupsInWords, groupsOf, originName } from "../state/groups.js";
 import { counted } from "../state/numbers.js";
@@ -148,7 +149,8 @@ function originPart(context, origin, some) {
     label: "shown",
     turn: ({ id }, on) => choose(context, (on ? undig : dig)(chosenOf(context), id)),
     only: ({ id }) => {
-      choose(context, isolate([id]));
+      store.seal();
+      store.set({ filters: { groups: isolate([id]) } }, { undo: FLIGHT });
       void context.app.views.flyToShown();
     },
   });

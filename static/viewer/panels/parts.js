@@ -1,3 +1,4 @@
+import { FLIGHT } from "../app/views.js";
 import { categoryColour } from "../colours/palettes.js";
 import { count, counted } from "../state/numbers.js";
 import { clear, dig, isClear, isolate, undig } from "../state/picking.js";
@@ -86,7 +87,8 @@ function row(context, { part, number, coloured }) {
       class: "link",
       "aria-label": `Show ${name} only`,
       onclick: () => {
-        set(context, isolate([part]));
+        context.store.seal();
+        context.store.set({ filters: { parts: isolate([part]) } }, { undo: FLIGHT });
         void context.app.views.flyToShown();
       },
     },

@@ -111,6 +111,7 @@ export const qualityFilterControls = [
     kind: "choice",
     id: "quality-keep",
     label: "",
+    hint: "What the quality filter shows",
     unit: (context) => quantityOf(context).unit,
     status: [ITEMS, "colour", "unit"],
     facts: FACTS,

@@ -20,6 +20,7 @@ export function row(context, control, { body, target, update, className = "" }) 
     control.label,
     unit,
   );
+  if (!control.label && control.hint) setAttribute(target, "aria-label", control.hint);
   const element = h(
     "div",
     { class: `row ${className}${control.full ? " row-full" : ""}`.trim() },

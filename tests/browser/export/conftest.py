@@ -13,6 +13,7 @@ import hexalab
 from hexalab.hosts.loopback import Loopback
 from hexalab.hosts.offers import file_offers
 
+from .. import grouped
 from ..conftest import grid
 
 SIZE = {"width": 900, "height": 700}
@@ -40,9 +41,17 @@ def flow(brick: Path) -> Path:
 
 
 @pytest.fixture(scope="package")
-def viewer(chromium: Browser, brick: Path, flow: Path) -> Iterator[Page]:
-    """The viewer before the native core, with the first box open; the second is offered, too."""
-    with Loopback(file_offers([brick, flow]), opens=False) as server:
+def deck(brick: Path) -> Path:
+    """A box with sets, and numbers of its own."""
+    path = brick.with_name("deck.inp")
+    grouped.deck(path)
+    return path
+
+
+@pytest.fixture(scope="package")
+def viewer(chromium: Browser, brick: Path, flow: Path, deck: Path) -> Iterator[Page]:
+    """The viewer before the native core, with the first box open; the others are offered, too."""
+    with Loopback(file_offers([brick, flow, deck]), opens=False) as server:
         server.start()
         context = chromium.new_context(viewport=SIZE, accept_downloads=True)
         page = context.new_page()

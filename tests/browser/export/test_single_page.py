@@ -14,6 +14,7 @@ from playwright.sync_api import Browser, Page
 
 import hexalab
 
+from .. import grouped
 from ..test_ui_page import AXE, violations
 from ..ui import until
 from .asking import HALF, OPEN, PLAIN, put, take
@@ -67,6 +68,29 @@ def test_A7_the_page_has_the_arrows_of_each_slice(viewer: Page, chromium: Browse
         bare = compare(viewer, chromium, tmp_path)
         put(viewer, {"arrows": {"attribute": "cell:flow", "length": 0.2, "colour": "#c00000"}})
         assert (np.abs(compare(viewer, chromium, tmp_path) - bare).max(axis=2) > 60).sum() > 1000
+    finally:
+        viewer.evaluate("() => window.hexalab.openOffered('0')")
+
+
+def test_R12_the_page_has_marks_and_groups_and_tells_the_files_numbers(
+    viewer: Page, chromium: Browser, tmp_path: Path
+) -> None:
+    viewer.evaluate("() => window.hexalab.openOffered('2')")
+    try:
+        put(viewer, OPEN)
+        bare = compare(viewer, chromium, tmp_path)
+        marks = {"nodes": ["nset:FIXED"], "sharp_angle": 60, "interfaces": "material"}
+        put(viewer, {"marks": marks, "colour": {"by": "group"}})
+        marked = compare(viewer, chromium, tmp_path)
+        assert (np.abs(marked - bare).max(axis=2) > 60).sum() > 3000
+        page = opened(chromium, tmp_path / "page.html")
+        ready(page)
+        box = page.locator("#canvas").bounding_box()
+        assert box
+        page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+        told = until(lambda: re.search(r"cell (\d+)", page.locator("#facts").inner_text()))
+        assert int(told[1]) in grouped.solid().cell_numbers, "the deck's number, not the row"
+        page.context.close()
     finally:
         viewer.evaluate("() => window.hexalab.openOffered('0')")
 
