@@ -298,7 +298,9 @@ def test_R8_an_arrow_starts_at_its_face_or_arrives_there(stage: Any) -> None:
 
 def test_R8_arrows_are_as_long_as_the_setting_says_and_never_thinner_than_a_pixel(stage: Any) -> None:
     show(stage, np.ones((1, 1, 1), bool), camera=ORTHOGRAPHIC, silhouette=0)
-    stage.call("setOver", "arrows", arrows(((-0.1, 0, 0.4), (1, 0, 0), 0), ((-0.1, -0.15, 0.4), (0.25, 0, 0), 0)))
+    stage.call(
+        "setOver", "arrows", arrows(((-0.1, 0, 0.4), (1, 0, 0), 0), ((-0.1, -0.15, 0.4), (0.25, 0, 0), 0))
+    )
     long = []
     for length in (0.05, 0.1, 0.3):
         stage.call("setStatus", {"arrows": {**RED, "length": length}})
