@@ -220,6 +220,7 @@ def test_V8_what_is_used_most_stands_without_scrolling_with_groups_too(
     with ui.one_viewer(chromium, site) as page:
         page.evaluate("url => window.hexalab.open(url)", f"{site}/bench/deck.inp")
         ui.until(lambda: page.locator("#section-groups").is_visible())
+        ui.until(lambda: ui.summary(page).get("findings") is not None)
         for control in ("#slice", "#separation", "#metric"):
             found = page.locator(control).bounding_box()
             assert found and found["y"] + found["height"] <= 800, control
