@@ -38,6 +38,8 @@ class Group:
     number : int, optional
         What the file knows it by beside its name: the tag of a physical group, the value in an array.
 
+    Examples
+    --------
     >>> Group("STEEL", "elset", [4, 1, 4]).members.tolist()
     [1, 4]
     """
