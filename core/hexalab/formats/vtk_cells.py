@@ -24,7 +24,16 @@ from .half_faces import Rebuilt, rebuild
 from .ids import as_int32, within_int32
 from .row_chain import ErrorAt
 from .vtk_polyhedra import stream_loops
-from .vtk_types import CELL_TYPES, HEXAHEDRON_TYPE, MAY_HAVE_EIGHT, POLYHEDRON, VOXEL, CellType
+from .vtk_types import (
+    CELL_TYPES,
+    HEXAHEDRON_TYPE,
+    MAY_HAVE_EIGHT,
+    POLYGON,
+    POLYHEDRON,
+    POLYLINE,
+    VOXEL,
+    CellType,
+)
 from .vtk_wedges import WedgeNumbering
 
 VOXEL_SAMPLE = 4096
@@ -109,6 +118,10 @@ def add_cells(out: Assembly, rows: Rows) -> NDArray[np.intp] | None:
         found[POLYHEDRON] = chosen[POLYHEDRON][solid.kinds >= 0]
     for number in [number for number in chosen if number in CELL_TYPES and CELL_TYPES[number].dimension < 3]:
         add_features(out, rows, CELL_TYPES[number], chosen.pop(number))
+    if POLYLINE in chosen:
+        add_polylines(out, rows, chosen.pop(POLYLINE))
+    if POLYGON in chosen:
+        chosen[POLYGON] = add_polygons(out, rows, chosen[POLYGON])
     for number, which in chosen.items():
         name = CELL_TYPES[number].name if number in CELL_TYPES else f"cells of type {number}"
         out.leave_out(name, len(which) - len(found.get(number, ())))
@@ -133,6 +146,26 @@ def add_features(out: Assembly, rows: Rows, cell_type: CellType, which: Array) -
     if cell_type.size > corners and len(which):
         out.note(f"Elements of higher order ({cell_type.name}) are kept by their corners.")
     out.features.append(FeatureBlock(cell_type.dimension, gathered(rows, which, cell_type.order), rows=which))
+
+
+def add_polylines(out: Assembly, rows: Rows, which: Array) -> None:
+    """Add polylines as the edges that they are made of."""
+    pieces = np.maximum(rows.sizes[which].astype(np.intp) - 1, 0)
+    first = np.repeat(rows.begins(which), pieces)
+    first += np.arange(len(first)) - np.repeat(np.cumsum(pieces) - pieces, pieces)
+    ends = [within_int32(native(rows.ids[first + end])) for end in (0, 1)]
+    out.features.append(FeatureBlock(1, np.stack(ends).astype(np.int32), rows=np.repeat(which, pieces)))
+
+
+def add_polygons(out: Assembly, rows: Rows, which: Array) -> Array:
+    """Add polygons of three and four corners; the rows of the others."""
+    sizes = rows.sizes[which]
+    for size in (3, 4):
+        some = which[sizes == size]
+        if len(some):
+            out.features.append(FeatureBlock(2, gathered(rows, some, tuple(range(size))), rows=some))
+    others: Array = which[(sizes != 3) & (sizes != 4)]
+    return others
 
 
 def known_kind(number: int) -> int | None:

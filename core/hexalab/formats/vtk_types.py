@@ -59,6 +59,8 @@ def _quadrilateral(name: str, size: int) -> CellType:
 
 VOXEL = 11
 HEXAHEDRON_TYPE = 12
+POLYLINE = 4
+POLYGON = 7
 POLYHEDRON = 42
 
 CELL_TYPES = {

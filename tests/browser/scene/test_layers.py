@@ -284,7 +284,7 @@ def test_R8_an_arrow_starts_at_its_face_or_arrives_there(stage: Any) -> None:
     front = 0.5 / np.sqrt(3)
     size = scale(300)
     for inward, begins in ((0, 0.0), (1, -0.15)):
-        stage.call("setArrows", arrows(((0, 0.05, front), (0.5, 0, 0), inward)))
+        stage.call("setOver", "arrows", arrows(((0, 0.05, front), (0.5, 0, 0), inward)))
         stage.call("setStatus", {"arrows": RED})
         stage.settle()
         rows, columns = np.nonzero(is_red(stage.picture()))
@@ -298,7 +298,9 @@ def test_R8_an_arrow_starts_at_its_face_or_arrives_there(stage: Any) -> None:
 
 def test_R8_arrows_are_as_long_as_the_setting_says_and_never_thinner_than_a_pixel(stage: Any) -> None:
     show(stage, np.ones((1, 1, 1), bool), camera=ORTHOGRAPHIC, silhouette=0)
-    stage.call("setArrows", arrows(((-0.1, 0, 0.4), (1, 0, 0), 0), ((-0.1, -0.15, 0.4), (0.25, 0, 0), 0)))
+    stage.call(
+        "setOver", "arrows", arrows(((-0.1, 0, 0.4), (1, 0, 0), 0), ((-0.1, -0.15, 0.4), (0.25, 0, 0), 0))
+    )
     long = []
     for length in (0.05, 0.1, 0.3):
         stage.call("setStatus", {"arrows": {**RED, "length": length}})
@@ -321,14 +323,14 @@ def test_R8_the_model_hides_arrows_behind_it_and_they_hide_its_lines(stage: Any)
     show(stage, np.ones((2, 2, 2), bool), camera=ORTHOGRAPHIC, silhouette=0, separation={"line_opacity": 1})
     half = 0.5 / np.sqrt(3)
     stage.call("setStatus", {"arrows": RED})
-    stage.call("setArrows", arrows(((-0.15, 0, -half), (1, 0, 0), 0)))
+    stage.call("setOver", "arrows", arrows(((-0.15, 0, -half), (1, 0, 0), 0)))
     stage.settle()
     assert not is_red(stage.picture()).any()
-    stage.call("setArrows", arrows(((-0.15, 0, half), (1, 0, 0), 0)))
+    stage.call("setOver", "arrows", arrows(((-0.15, 0, half), (1, 0, 0), 0)))
     stage.settle()
     ink = is_red(stage.picture())
     assert ink[150, 200] or ink[149, 200], "over the edges that cross there"
-    stage.call("setArrows", arrows(((0, half, 0), (0, 1, 0), 0)))
+    stage.call("setOver", "arrows", arrows(((0, half, 0), (0, 1, 0), 0)))
     stage.settle()
     assert is_red(stage.picture())[20:60].any(), "what stands out of the mesh is before the far plane"
 
@@ -336,7 +338,7 @@ def test_R8_the_model_hides_arrows_behind_it_and_they_hide_its_lines(stage: Any)
 def test_S5_pictures_have_arrows_and_transparent_ones_no_fringe(stage: Any) -> None:
     show(stage, np.ones((1, 1, 1), bool), camera=ORTHOGRAPHIC, silhouette=0, background="#00ff00")
     half = 0.5 / np.sqrt(3)
-    stage.call("setArrows", arrows(((half, 0, 0), (1, 0, 0), 0), ((0, 0, half), (0, 1, 0), 0)))
+    stage.call("setOver", "arrows", arrows(((half, 0, 0), (1, 0, 0), 0), ((0, 0, half), (0, 1, 0), 0)))
     stage.call("setStatus", {"arrows": RED})
     clear = screenshot(stage, width=300, height=300, transparent=True)
     solid = screenshot(stage, width=300, height=300)

@@ -12,9 +12,11 @@ from hexalab.grouping import feature_groups, groups_of
 from hexalab.mesh import Mesh
 from tests.core.formats.gmsh_files import File, make, opened
 from tests.core.formats.samples import grid, mixed
+from tests.core.formats.vtk_files import insert, legacy, unstructured_grid
 from tests.tools import tool
 
 meshio = tool("meshio")
+vtk = tool("vtk")
 
 
 def members(mesh: Mesh) -> dict[str, list[int]]:
@@ -369,6 +371,25 @@ def test_R12_material_arrays_of_vtk(tmp_path: Path, format_id: str) -> None:
     assert mesh.first_number == 0
     assert set(of_features(mesh, 2)) == {"Material:8", "Material:9"} and mesh.features[1].count == 2
     assert of_features(mesh, 1)["Material:7"] == {frozenset(sample.rows_of(0)[0, :2].tolist())}
+
+
+def test_R13_polylines_and_polygons_of_vtk_with_their_arrays(tmp_path: Path) -> None:
+    data = unstructured_grid(grid(2, 1, 1))
+    for kind, ids in ((4, [0, 1, 2]), (7, [0, 1, 3]), (7, [0, 1, 4, 3]), (7, [0, 1, 4, 3, 5]), (4, [3, 4])):
+        insert(data, kind, ids)
+    tags = vtk.vtkIntArray()
+    tags.SetName("tag")
+    for value in (0, 0, 7, 8, 8, 8, 9):
+        tags.InsertNextValue(value)
+    data.GetCellData().AddArray(tags)
+    for version in (42, 51):
+        mesh = read_bytes(legacy(data, version, True), "x.vtk")
+        assert of_features(mesh, 1) == {
+            "tag:7": {frozenset((0, 1)), frozenset((1, 2))},
+            "tag:9": {frozenset((3, 4))},
+        }
+        assert of_features(mesh, 2) == {"tag:8": {frozenset((0, 1, 3)), frozenset((0, 1, 3, 4))}}
+        assert "tag" not in mesh.cell_data and "polygons (1)" in " ".join(mesh.notes)
 
 
 def test_R12_arrays_of_many_or_no_whole_numbers_make_no_groups() -> None:

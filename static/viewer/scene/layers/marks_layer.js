@@ -13,33 +13,13 @@ import { MARK_STYLES } from "../../colours/marks.js";
 import { around, boxOf } from "../../geometry/box.js";
 import { flatQuadIndex } from "../../geometry/quad_index.js";
 import { LinesLayer } from "./lines_layer.js";
+import { FILM_FRAGMENT, FILM_VERTEX } from "./film_shader.js";
 
 /** CSS pixels that a point is broad. */
 const POINT = 8;
 
 /** Of faces: the surface's own colours and lines stay readable below. */
 const OPACITY = 0.72;
-
-const FACES_VERTEX = `
-precision highp float;
-in vec3 position;
-in vec3 colour;
-uniform mat4 modelViewMatrix;
-uniform mat4 projectionMatrix;
-out vec3 vColour;
-void main() {
-  vColour = colour;
-  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-}
-`;
-
-const FACES_FRAGMENT = `
-precision highp float;
-in vec3 vColour;
-uniform float opacity;
-out vec4 pixel;
-void main() { pixel = vec4(vColour, opacity); }
-`;
 
 // Points stand a little nearer to the eye than they are, so that the surface they lie on does not cut them.
 const POINTS_VERTEX = `
@@ -85,7 +65,7 @@ export class MarksLayer {
   constructor() {
     this.#faces = new Mesh(
       new BufferGeometry(),
-      material(FACES_VERTEX, FACES_FRAGMENT, {
+      material(FILM_VERTEX, FILM_FRAGMENT, {
         uniforms: { opacity: { value: OPACITY } },
         depthWrite: false,
         polygonOffset: true,

@@ -2,27 +2,7 @@ import { BufferAttribute, BufferGeometry, DoubleSide, GLSL3, Mesh, RawShaderMate
 import { componentsOf } from "../../colours/components.js";
 import { flatQuadIndex } from "../../geometry/quad_index.js";
 import { VALENCE_STYLES } from "../../colours/valence.js";
-
-const VERTEX = `
-precision highp float;
-in vec3 position;
-in vec3 colour;
-uniform mat4 modelViewMatrix;
-uniform mat4 projectionMatrix;
-out vec3 vColour;
-void main() {
-  vColour = colour;
-  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-}
-`;
-
-const FRAGMENT = `
-precision highp float;
-in vec3 vColour;
-uniform float opacity;
-out vec4 pixel;
-void main() { pixel = vec4(vColour, opacity); }
-`;
+import { FILM_FRAGMENT, FILM_VERTEX } from "./film_shader.js";
 
 /**
  * Flaps of paper glued to irregular edges: unlit, seen from both sides, dark at the edge and bright at the rim.
@@ -38,8 +18,8 @@ export class PaperLayer {
   constructor({ seeThrough }) {
     this.#material = new RawShaderMaterial({
       glslVersion: GLSL3,
-      vertexShader: VERTEX,
-      fragmentShader: FRAGMENT,
+      vertexShader: FILM_VERTEX,
+      fragmentShader: FILM_FRAGMENT,
       uniforms: { opacity: { value: 1 } },
       transparent: true,
       depthTest: !seeThrough,
