@@ -170,7 +170,7 @@ def test_R11_worst_cells_are_copied_for_other_programs(numbered: Page, deck: hex
     assert [int(one) for one in ",".join(lines).split(",")] == told
     form.select_option("paraview")
     copy.click()
-    ui.until(lambda: "in1d" in text.input_value())
+    ui.until(lambda: "isin" in text.input_value())
     rows = [int(one) for one in re.findall(r"\d+", text.input_value().split("[")[1])]
     assert rows == [row_of(deck, number) for number in told]
 
