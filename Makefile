@@ -31,7 +31,7 @@ test: build/.prepared pages
 	$(MAKE) -j2 --output-sync=target test-core build
 	node --test $$(find tests/viewer -name "*.test.js")
 	$(SCREEN) node --test tests/firefox/*.test.js
-	$(BIN)/pytest --ignore=tests/core
+	$(BIN)/pytest --ignore=tests/core -n 2 --dist loadfile
 
 # Wheel and sdist, with the built viewer inside: what `pip install hexalab` brings.
 wheel: .venv/.ready node_modules/.ready

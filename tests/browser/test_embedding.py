@@ -246,7 +246,7 @@ def test_A3_what_is_shared_can_be_embedded(page: Page, site: str, shelf: Path) -
     (shelf / "shared.html").write_text(f"<!doctype html><title>shared</title>{code}")
     page.goto(f"{site}/bench/shared.html")
     frame = page.frame_locator("iframe")
-    assert frame.get_by_role("link", name="Load the mesh Cube").is_visible()
+    frame.get_by_role("link", name="Load the mesh Cube").wait_for()
     assert page.locator("iframe").get_attribute("title") == "Cube, HexaLab"
 
 

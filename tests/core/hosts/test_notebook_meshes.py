@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import sys
 from pathlib import Path
 from typing import Any
@@ -100,17 +101,31 @@ def test_A6_what_is_not_taken_is_said(thing: Any, said: str):
 def test_A6_pieces_are_put_together_each_message_by_itself():
     pieces = Pieces()
 
-    def add(view: str, number: int, part: int, parts: int, data: bytes) -> Any:
-        return pieces.add({"view": view, "number": number, "part": part, "parts": parts}, [memoryview(data)])
+    def add(view: str, number: int, part: int, parts: int, data: bytes, kind: str = "ask") -> Any:
+        message = {"view": view, "kind": kind, "number": number, "part": part, "parts": parts}
+        return pieces.add(message, [memoryview(data)])
 
     assert add("a", 1, 0, 1, b"whole") == b"whole"
     assert add("a", 2, 0, 2, b"first ") is None
     assert add("b", 2, 0, 2, b"other ") is None
+    assert add("a", 2, 0, 2, b"a picture's ", kind="still") is None
     assert add("a", 2, 1, 2, b"second") == b"first second"
+    assert add("a", 2, 1, 2, b"end", kind="still") == b"a picture's end"
     pieces.forget("b")
     assert add("b", 2, 0, 2, b"anew ") is None
     assert add("b", 2, 1, 2, b"whole") == b"anew whole"
-    assert pieces.add({"view": "a", "number": 3}, []) == b""
+    assert pieces.add({"view": "a", "kind": "ask", "number": 3}, []) == b""
+
+
+def test_A6_pieces_come_in_any_order():
+    """Of marimo's requests, one for each piece, the small last one may overtake."""
+    for order in itertools.permutations(range(3)):
+        pieces = Pieces()
+        told = [
+            pieces.add({"view": "a", "kind": "ask", "number": 1, "part": n, "parts": 3}, [bytes((n, n + 3))])
+            for n in order
+        ]
+        assert told == [None, None, bytes((0, 3, 1, 4, 2, 5))]
 
 
 def test_A6_the_still_picture_can_hold_no_markup_of_the_mesh():
