@@ -51,6 +51,8 @@ class Mesh:
         Named sets of cells and of vertices.
     features : tuple of Features
         The file's elements of lower dimension, one for each dimension that there is, the lowest first.
+    included : dict of str to str
+        Files that the file includes and that were read with it: name, and SHA-256 in hexadecimal.
 
     Raises
     ------
@@ -75,6 +77,7 @@ class Mesh:
     first_number: int = 0
     groups: tuple[Group, ...] = ()
     features: tuple[Features, ...] = ()
+    included: dict[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         coordinates, corners, kinds = map(np.asarray, (self.coordinates, self.corners, self.kinds))

@@ -68,9 +68,11 @@ def read_bytes(
 def _read(file: File) -> Mesh:
     """Read a file that is not wrapped."""
     try:
-        return choose(file).read(file)
+        mesh = choose(file).read(file)
     except MemoryError:
         raise file.error("there is not enough memory for this mesh") from None
+    mesh.included = file.included
+    return mesh
 
 
 def read(file: str | os.PathLike[str] | BinaryIO) -> Mesh:

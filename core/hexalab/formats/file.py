@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
@@ -27,11 +28,14 @@ class File:
         Its name, for messages.
     companions : callable
         Finds the files that this one refers to (`hexalab.formats.companions`).
+    included : dict of str to str
+        Those that were asked for and found: name, and SHA-256 in hexadecimal. One for a file and all that it leads to.
     """
 
     data: bytes
     name: str = ""
     companions: Companions = field(default=alone, repr=False, compare=False)
+    included: dict[str, str] = field(default_factory=dict, repr=False, compare=False)
 
     def companion(self, name: str) -> File | None:
         """The file that this one calls by a name, such as the one that a line includes; None if it is not there.
@@ -42,7 +46,10 @@ class File:
         folder = self.name.replace("\\", "/").rpartition("/")[0]
         if found is None and folder:
             found = self.companions(f"{folder}/{name.strip()}")
-        return File(found[1], found[0], self.companions) if found else None
+        if found is None:
+            return None
+        self.included[found[0]] = hashlib.sha256(found[1]).hexdigest()
+        return File(found[1], found[0], self.companions, self.included)
 
     def error(self, message: str, *, line_at: int | None = None, offset: int | None = None) -> MeshReadError:
         """An error at a place of the file.

@@ -182,6 +182,7 @@ def _file(mesh: Mesh, about: About) -> dict[str, Any]:
         "format_name": names.get(mesh.format, mesh.format),
         "bytes": about.bytes,
         "sha256": about.sha256,
+        "included": [{"name": name, "sha256": sha256} for name, sha256 in mesh.included.items()],
         "unit": about.unit,
     }
 

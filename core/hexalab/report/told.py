@@ -49,6 +49,9 @@ def file_rows(facts: Facts) -> Rows:
         ("Size", "not known" if file["bytes"] is None else f"{count(file['bytes'])} bytes"),
         ("Format", file["format_name"] or NOTHING),
     ]
+    if file["included"]:
+        told = "; ".join(f"{row['name']}, SHA-256 {row['sha256']}" for row in file["included"])
+        rows.append(("Included files", told))
     if file["unit"] != NO_UNIT:
         rows.append(("Unit of length", SYMBOLS.get(file["unit"], file["unit"])))
     return rows

@@ -54,7 +54,7 @@ def test_it_writes_each_form_in_one_go(run: Run, part: Path, tmp_path: Path) -> 
     facts = json.loads(outs[2].read_text("utf-8"))
     assert facts["file"] == {
         "name": "part.inp", "format": "inp", "format_name": "Abaqus", "bytes": len(deck()),
-        "sha256": hashlib.sha256(deck()).hexdigest(), "unit": "mm",
+        "sha256": hashlib.sha256(deck()).hexdigest(), "included": [], "unit": "mm",
     }  # fmt: skip
     assert facts["notes"] == []
     assert outs[0].read_text("utf-8").startswith("<!doctype html>") and "Volume (mm³)" in outs[0].read_text(

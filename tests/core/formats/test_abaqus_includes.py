@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gzip
+import hashlib
 import os
 from pathlib import Path
 
@@ -93,6 +94,22 @@ def test_R5_a_gzipped_deck_and_a_gzipped_include(tmp_path: Path) -> None:
     (tmp_path / "main.inp.gz").write_bytes(gzip.compress(MAIN.encode()))
     (tmp_path / "mesh.inp").write_bytes(gzip.compress(MESH.encode()))
     assert read(tmp_path / "main.inp.gz").cell_count == 1
+
+
+def test_R5_files_that_were_read_along_are_named_with_their_digests(tmp_path: Path) -> None:
+    """As they lie there: gzipped is another file."""
+    packed = gzip.compress(ELEMENT.encode(), mtime=0)
+    main = MAIN.replace("*STEP", "*INCLUDE, INPUT=more/cells.inp.gz\n*INCLUDE, INPUT=gone.inp\n*STEP")
+    path = folder(tmp_path, main__inp=main, mesh__inp=nodes(), unused__inp=MESH)
+    (tmp_path / "more").mkdir()
+    (tmp_path / "more" / "cells.inp.gz").write_bytes(packed)
+    mesh = read(path)
+    assert mesh.cell_count == 1
+    assert mesh.included == {
+        "mesh.inp": hashlib.sha256(nodes().encode()).hexdigest(),
+        "more/cells.inp.gz": hashlib.sha256(packed).hexdigest(),
+    }
+    assert read_bytes(MESH.encode(), "whole.inp").included == {}
 
 
 def test_R5_files_opened_together_are_one_deck() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import platform
 from dataclasses import replace
@@ -13,7 +14,7 @@ import hexalab
 from hexalab.diagnosis import TURNED
 from hexalab.formats import read_bytes
 from hexalab.mesh import Mesh
-from hexalab.report import VERSION, About, Found, MetricCriterion, collect
+from hexalab.report import VERSION, About, Found, MetricCriterion, collect, written
 from tests.core.conftest import grid_points, medit
 
 from .decks import BAD, ELEMENTS, EMPTY, SETS, UNUSED, deck, two_kinds
@@ -28,13 +29,25 @@ def test_the_file_is_told_with_what_made_the_report(mesh: Mesh) -> None:
     facts = collect(mesh, About("part.inp", 1234, "ab" * 32, "mm", ("Something is left out.",)))
     assert facts["version"] == VERSION
     assert facts["file"] == {
-        "name": "part.inp", "format": "inp", "format_name": "Abaqus", "bytes": 1234, "sha256": "ab" * 32, "unit": "mm",
+        "name": "part.inp", "format": "inp", "format_name": "Abaqus", "bytes": 1234, "sha256": "ab" * 32,
+        "included": [], "unit": "mm",
     }  # fmt: skip
     assert facts["made_by"] == {
         "hexalab": hexalab.__version__, "python": platform.python_version(), "numpy": np.__version__,
     }  # fmt: skip
     assert facts["notes"] == ["Something is left out."]
     assert collect(mesh)["file"]["name"] == "part.inp"
+
+
+def test_files_that_the_deck_includes_are_told_with_their_digests() -> None:
+    whole = deck()
+    cut = whole.index(b"*ELEMENT")
+    start = whole[:cut] + b"*INCLUDE, INPUT=cells.inp\n"
+    facts = collect(read_bytes(start, "part.inp", {"cells.inp": whole[cut:]}))
+    digest = hashlib.sha256(whole[cut:]).hexdigest()
+    assert facts["file"]["included"] == [{"name": "cells.inp", "sha256": digest}]
+    for form in ("html", "md", "xml"):
+        assert digest in written(facts, form), form
 
 
 def test_counts_are_those_of_the_summary(mesh: Mesh) -> None:
