@@ -9,6 +9,7 @@ import subprocess
 import sys
 import threading
 from collections.abc import Generator, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -29,10 +30,15 @@ class Hand:
 
     def __init__(self) -> None:
         self._process: subprocess.Popen[str] | None = None
+        self._ended = False
+        self._starting = threading.Lock()
 
     def do(self, job: Job) -> Outcome:
-        """Do a job."""
-        process = self._process or self._start()
+        """Do a job; another thread may `end` the process at any time."""
+        with self._starting:
+            if self._ended:
+                return failed(job, "the batch was ended before")
+            process = self._process or self._start()
         assert process.stdin and process.stdout
         late = threading.Timer(PATIENCE, process.kill)
         late.start()
@@ -40,7 +46,7 @@ class Hand:
             process.stdin.write(json.dumps(job.as_dict()) + "\n")
             process.stdin.flush()
             line = process.stdout.readline()
-        except OSError:
+        except (OSError, ValueError):  # the process is gone, its streams are closed
             line = ""
         finally:
             overdue = not late.is_alive()
@@ -54,8 +60,10 @@ class Hand:
         return failed(job, f"{reason}: the mesh may need more memory than there is")
 
     def end(self) -> None:
-        """End the process, whatever it is at."""
-        process, self._process = self._process, None
+        """End the process for good, whatever it is at."""
+        with self._starting:
+            self._ended = True
+            process, self._process = self._process, None
         if process is None:
             return
         process.terminate()
@@ -65,8 +73,9 @@ class Hand:
             process.kill()
             process.wait()
         for stream in (process.stdin, process.stdout):
-            if stream:
-                stream.close()
+            with suppress(OSError):  # what was not yet written has no reader any more
+                if stream:
+                    stream.close()
 
     def _start(self) -> subprocess.Popen[str]:
         apart: dict[str, Any] = {"start_new_session": True}  # Ctrl-C is for who leads
