@@ -159,7 +159,7 @@ def test_R11_worst_cells_are_copied_for_other_programs(numbered: Page, deck: hex
     links = numbered.locator(".worst tbody th button")
     ui.until(lambda: links.count() == 50)
     told = [int(one) for one in links.all_inner_texts()]
-    form = numbered.get_by_label("Form of the copied list")
+    form = numbered.get_by_label("Copy as")
     copy = numbered.get_by_role("button", name="Copy", exact=True)
     text = numbered.get_by_label("Copied cells")
     form.select_option("elset")

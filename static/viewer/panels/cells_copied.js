@@ -13,7 +13,7 @@ export function cellsCopied(context, cells, name) {
   const { list_forms: forms } = context.tables;
   const form = h(
     "select",
-    { class: "choice", "aria-label": "Form of the copied list" },
+    { class: "choice" },
     ...forms.map((one) => h("option", { value: one.id }, one.name)),
   );
   const said = h("span", { class: "quiet", role: "status" });
@@ -43,7 +43,12 @@ export function cellsCopied(context, cells, name) {
   return h(
     "div",
     { class: "copy-cells" },
-    h("div", { class: "copy-row" }, h("span", { class: "quiet" }, "Copy as"), form, button),
+    h(
+      "div",
+      { class: "copy-row" },
+      h("label", { class: "copy-form" }, h("span", { class: "quiet" }, "Copy as"), form),
+      button,
+    ),
     said,
     text,
   );

@@ -91,12 +91,12 @@ export class MarksLayer {
     const { faces, face_colours, edges, edge_colours, points, point_colours } = marks ?? NOTHING;
     this.#edges.set(edges, edge_colours);
     this.#edges.group.visible = edges.length > 0;
-    fill(this.#faces, faces, coloured(face_colours, 4));
+    fill(this.#faces, faces, coloured(face_colours, 4, FILMS));
     if (face_colours.length) {
       this.#faces.geometry.setIndex(flatQuadIndex(face_colours.length));
       this.#faces.geometry.setDrawRange(0, 6 * face_colours.length);
     }
-    fill(this.#points, points, coloured(point_colours, 1));
+    fill(this.#points, points, coloured(point_colours, 1, INKS));
   }
 
   /** @param {Parameters<LinesLayer["view"]>[0] & { draft: boolean }} view */
@@ -118,6 +118,9 @@ export class MarksLayer {
   }
 }
 
+const INKS = MARK_STYLES.map(({ colour }) => bytesOf(colour));
+const FILMS = MARK_STYLES.map(({ colour, film }) => bytesOf(film ?? colour));
+
 /** @type {import("../../geometry/records.js").Marks} */
 const NOTHING = {
   faces: new Float32Array(0),
@@ -128,6 +131,11 @@ const NOTHING = {
   point_colours: new Uint8Array(0),
   counts: {},
 };
+
+/** @param {string} hex */
+function bytesOf(hex) {
+  return componentsOf(hex).map((part) => Math.round(255 * part));
+}
 
 /** @param {string} vertexShader @param {string} fragmentShader @param {Partial<RawShaderMaterial>} how */
 function material(vertexShader, fragmentShader, how) {
@@ -142,12 +150,11 @@ function material(vertexShader, fragmentShader, how) {
   });
 }
 
-/** Colours of rows, so many times each. @param {Uint8Array} rows @param {number} times */
-function coloured(rows, times) {
-  const inks = MARK_STYLES.map(({ colour }) => componentsOf(colour).map((part) => Math.round(255 * part)));
+/** Colours of rows, so many times each. @param {Uint8Array} rows @param {number} times @param {number[][]} palette */
+function coloured(rows, times, palette) {
   const colours = new Uint8Array(3 * times * rows.length);
   rows.forEach((row, k) => {
-    for (let corner = 0; corner < times; corner++) colours.set(inks[row], 3 * (times * k + corner));
+    for (let corner = 0; corner < times; corner++) colours.set(palette[row], 3 * (times * k + corner));
   });
   return colours;
 }
