@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import os
+import signal
 import subprocess
 import threading
 import time
+from collections.abc import Iterator
 from contextlib import suppress
 
 import pytest
@@ -16,6 +19,17 @@ DEAF = ["timeit", "-n", "1", "-r", "1", "__import__('time').sleep(600)"]
 """A module of Python's own, with arguments, that reads nothing."""
 
 JOB = Job("folder", "box.mesh", "box", (), "", Look({}), "out")
+
+
+@pytest.fixture(autouse=True)
+def broken_pipes_are_errors() -> Iterator[None]:
+    """As Python has it from the start; gmsh, which other tests load, lets the system end the process instead."""
+    if os.name == "nt":
+        yield
+        return
+    before = signal.signal(signal.SIGPIPE, signal.SIG_IGN)
+    yield
+    signal.signal(signal.SIGPIPE, before)
 
 
 class Handed(subprocess.Popen[str]):
