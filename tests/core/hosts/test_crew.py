@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import subprocess
+import sys
 import threading
 import time
 from collections.abc import Iterator
@@ -14,6 +15,8 @@ import pytest
 
 from hexalab.hosts.batching import Job, Look, crew
 from hexalab.hosts.batching.records import Outcome
+
+pytestmark = pytest.mark.skipif(sys.platform == "emscripten", reason="hosts run natively")
 
 DEAF = ["timeit", "-n", "1", "-r", "1", "__import__('time').sleep(600)"]
 """A module of Python's own, with arguments, that reads nothing."""
