@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import signal
 from collections import Counter
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -19,6 +20,10 @@ if TYPE_CHECKING:
 
 LEFT_OUT = pytest.StashKey[list[str]]()
 """Modules of tests that are not even imported, because hypothesis is missing."""
+
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    # Started in the background, the suite would ignore Ctrl-C, and so would all that it starts and interrupts.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 HYPOTHESIS = find_spec("hypothesis") is not None
 
