@@ -13,7 +13,7 @@ export OMP_NUM_THREADS ?= 2
 # A screen for Firefox, where there is none.
 SCREEN = $(if $(DISPLAY),,$(if $(shell command -v xvfb-run),xvfb-run -a))
 
-.PHONY: serve pages build wheel test test-core test-viewer lint bench nightly format clean
+.PHONY: serve pages build wheel test test-core test-viewer test-firefox test-browser lint bench nightly format clean
 .DELETE_ON_ERROR:
 
 # The pages stand at once; pictures that are missing are taken while they are served, and appear on a reload.
@@ -29,8 +29,7 @@ build: .venv/.ready node_modules/.ready build/pyodide-build/.ready
 # The core is tested while the site's pictures are taken: both take minutes.
 test: build/.prepared pages
 	$(MAKE) -j3 --output-sync=target test-core test-viewer build
-	$(SCREEN) node --test tests/firefox/*.test.js
-	$(BIN)/pytest --ignore=tests/core -n 2 --dist loadfile
+	$(MAKE) -j2 --output-sync=line test-firefox test-browser
 
 # Wheel and sdist, with the built viewer inside: what `pip install hexalab` brings.
 wheel: .venv/.ready node_modules/.ready
@@ -38,6 +37,12 @@ wheel: .venv/.ready node_modules/.ready
 
 test-core: .venv/.ready
 	$(BIN)/pytest tests/core
+
+test-firefox: node_modules/.ready
+	$(SCREEN) node --test tests/firefox/*.test.js
+
+test-browser: .venv/.ready
+	$(BIN)/pytest --ignore=tests/core -n 2 --dist loadfile
 
 test-viewer: node_modules/.ready
 	node --test $$(find tests/viewer -name "*.test.js")
