@@ -53,6 +53,21 @@ test("R13: faces, edges and points are drawn where there are any, each with its 
   assert.equal(edges.visible, false, "another mesh has no marks yet");
 });
 
+test("R13: a face in no group is light enough for the body to be read below; a point is ink", () => {
+  const [ungrouped, brightness] = [6, (/** @type {number[]} */ rgb) => Math.min(...rgb)];
+  const layer = new MarksLayer();
+  layer.set({
+    ...NONE,
+    faces: Float32Array.from(square(0)),
+    face_colours: Uint8Array.from([ungrouped]),
+    points: Float32Array.from([0, 0, 5]),
+    point_colours: Uint8Array.from([ungrouped]),
+  });
+  const { faces, points } = drawn(layer);
+  assert.ok(brightness(coloursOf(faces)) > 128);
+  assert.ok(brightness(coloursOf(points)) < 64);
+});
+
 test("R13: what is marked lies within the box, so that it is not cut by the camera's planes", () => {
   const layer = new MarksLayer();
   layer.set({
