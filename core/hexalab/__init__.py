@@ -22,6 +22,7 @@ from .mesh import Mesh
 from .numbering import cell_numbers, cells_numbered, vertex_numbers, vertices_numbered
 from .quality import METRICS, Metric, Validity, certify, histogram, quality, quality_many, statistics
 from .selection import select_cells
+from .structure import Structure, structure
 from .summary import summarise
 
 __version__ = "1.0.0"
@@ -40,6 +41,7 @@ __all__ = [
     "MeshReadError",
     "MeshWriteError",
     "Metric",
+    "Structure",
     "Validity",
     "cell_list",
     "cell_numbers",
@@ -54,6 +56,7 @@ __all__ = [
     "select_cells",
     "show",
     "statistics",
+    "structure",
     "summarise",
     "vertex_numbers",
     "vertices_numbered",

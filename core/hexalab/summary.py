@@ -47,7 +47,7 @@ def summarise(mesh: Mesh, metrics: Iterable[str] = METRICS) -> dict[str, Any]:
         "vertices": mesh.vertex_count,
         "cells": mesh.cell_count,
         "kinds": mesh.kind_counts,
-        **structure(mesh),
+        **topology_facts(mesh),
         "findings": [
             {
                 "id": finding.id,
@@ -66,9 +66,9 @@ def summarise(mesh: Mesh, metrics: Iterable[str] = METRICS) -> dict[str, Any]:
     return found
 
 
-def structure(mesh: Mesh) -> dict[str, Any]:
+def topology_facts(mesh: Mesh) -> dict[str, Any]:
     """Collect the facts of a mesh's topology; see `summarise`."""
-    return {name: fact for part in STRUCTURE.values() for name, fact in part(mesh).items()}
+    return {name: fact for part in TOPOLOGY.values() for name, fact in part(mesh).items()}
 
 
 def _faces(mesh: Mesh) -> dict[str, Any]:
@@ -102,7 +102,7 @@ def _vertices(mesh: Mesh) -> dict[str, Any]:
     }
 
 
-STRUCTURE = {"faces": _faces, "edges": _edges, "layers": _layers, "vertices": _vertices}
+TOPOLOGY = {"faces": _faces, "edges": _edges, "layers": _layers, "vertices": _vertices}
 """Parts of the facts about topology, in the order in which they are told."""
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 SMALLEST_PLAIN = 0.0005
 LARGEST_PLAIN = 1e6
 NOTHING = "-"
-PLURALS = (("hedron", "hedra"), ("vertex", "vertices"))
+PLURALS = (("hedron", "hedra"), ("vertex", "vertices"), ("box", "boxes"))
 
 SYMBOLS = {"um": "µm"}
 EXPONENTS = {1: "", 2: "²", 3: "³"}

@@ -39,6 +39,9 @@ RENDER = (
 VERBS = {
     "info": Verb("say what is in mesh files", "hexalab.cli.info"),
     "quality": Verb("measure the quality of a mesh's cells", "hexalab.cli.quality"),
+    "structure": Verb(
+        "tell the structure of meshes: irregular graph, sheets, blocks", "hexalab.cli.structure"
+    ),
     "convert": Verb("write a mesh in another format", "hexalab.cli.convert"),
     "view": Verb("open the viewer on files of this machine", "hexalab.cli.view"),
     "render": Verb("make a picture of a mesh", "hexalab.cli.render", RENDER),

@@ -9,6 +9,7 @@ from pathlib import Path
 from .. import WRITERS, write
 from ..diagnosis import all_inverted, turn_round
 from ..formats import read, writer_of
+from ..structure import CELL_DATA, with_structure
 from ..words import counted
 
 
@@ -30,6 +31,11 @@ def configure(parser: ArgumentParser) -> None:
         action="store_true",
         help="turn the mesh round if every cell is inverted; without, cells stay as they are in the file",
     )
+    parser.add_argument(
+        "--structure",
+        action="store_true",
+        help="add the structure as attributes of the cells: " + ", ".join(CELL_DATA),
+    )
     parser.set_defaults(run=run)
 
 
@@ -45,6 +51,8 @@ def run(arguments: Namespace) -> int:
             *notes,
             "Every cell is inverted (negative volume) and stays so: --orient turns the mesh round.",
         ]
+    if arguments.structure:
+        mesh = with_structure(mesh)
     lost = write(mesh, arguments.target, arguments.format)
     for note in notes + lost:
         print(f"hexalab: {arguments.source}: {note}", file=sys.stderr)

@@ -22,7 +22,7 @@ from ..packing import jsonable
 from ..quality import METRICS, Metric, Validity, certify, histogram, quality_many, statistics
 from ..quality.measures import LARGEST
 from ..quality.validity import INVALID, STATES
-from ..summary import structure
+from ..summary import topology_facts
 from ..words import NO_UNIT
 from .criteria import Criterion, FindingCriterion, InvalidCriterion, MetricCriterion
 from .judging import (
@@ -150,7 +150,7 @@ def collect(
             "vertices": mesh.vertex_count,
             "cells": mesh.cell_count,
             "kinds": mesh.kind_counts,
-            **structure(mesh),
+            **topology_facts(mesh),
         },
         "extent": mesh.extent,
         "validity": _validity(mesh, found.validity),

@@ -20,7 +20,7 @@ from ..mesh import Mesh
 from ..quality import METRICS, Validity, certify, quality, statistics
 from ..status import OpenMesh
 from ..status.views import three_quarters
-from ..summary import STRUCTURE
+from ..summary import TOPOLOGY
 from ..surface import (
     DrawnMesh,
     Irregular,
@@ -35,7 +35,7 @@ from .grouped import GroupBook
 from .marked import MarkBook
 from .mean_volumes import MeanVolumes
 
-DESCRIBED = ("groups", *STRUCTURE, "shapes", "parts", "findings")
+DESCRIBED = ("groups", *TOPOLOGY, "shapes", "parts", "findings")
 """Parts of a description, to be asked for one by one."""
 
 CLEARANCE = 1e-9
@@ -170,9 +170,9 @@ class Opened:
             return {"shapes": {name: int(count) for name, count in zip(SHAPES, counts, strict=True) if count}}
         if part == "parts":
             return {"part_cells": self.mesh.topology.parts[1][:MOST_PARTS].tolist()}
-        if part not in STRUCTURE:
+        if part not in TOPOLOGY:
             raise HexaLabError(f"there is no part {part!r} of a description, but {', '.join(DESCRIBED)}")
-        facts = STRUCTURE[part](self.mesh)
+        facts = TOPOLOGY[part](self.mesh)
         if part == "edges":
             self.knows_edges = True
         return {**facts, "max_depth": self.drawn_mesh.topology.max_depth} if part == "layers" else facts

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
-from ..arrays import Array, Ids
+from ..arrays import CHUNK, Ids
+from .classes import classes
 from .faces import Faces
 from .slots import last_writers
 
@@ -71,29 +74,15 @@ def _across_crowds(faces: Faces, reached: Ids, level: int) -> Ids:
 
 
 def components(faces: Faces) -> tuple[Ids, int]:
-    """(C,) int32 label of the face-connected component of each cell, in order of first cells; how many.
+    """(C,) int32 label of the face-connected component of each cell, in order of first cells; how many."""
+    return classes(faces.rows.shape[1], lambda: _joined(faces))
 
-    Each round hooks the larger root of every face to the smaller and shortens all paths to their roots.
-    """
-    cell_count = faces.rows.shape[1]
-    left: Array = faces.cells[0, : faces.paired]
-    right: Array = faces.cells[1, : faces.paired]
+
+def _joined(faces: Faces) -> Iterator[tuple[Ids, Ids]]:
+    """Cells that share a face."""
+    for start in range(0, faces.paired, CHUNK):
+        part = slice(start, min(start + CHUNK, faces.paired))
+        yield faces.cells[0, part], faces.cells[1, part]
     if len(faces.crowd_cells):
         same = faces.crowd_faces[1:] == faces.crowd_faces[:-1]
-        left = np.concatenate([left, faces.crowd_cells[:-1][same]])
-        right = np.concatenate([right, faces.crowd_cells[1:][same]])
-    root: Ids = np.arange(cell_count, dtype=np.int32)
-    while len(left):
-        one, other = root[left], root[right]
-        apart = np.flatnonzero(one != other)
-        if len(apart) < len(left):
-            left, right, one, other = left[apart], right[apart], one[apart], other[apart]
-        root[np.maximum(one, other)] = np.minimum(one, other)
-        while True:
-            shorter = root[root]
-            if np.array_equal(shorter, root):
-                break
-            root = shorter
-    first = root == np.arange(cell_count, dtype=np.int32)
-    labels = np.cumsum(first, dtype=np.int32) - np.int32(1)
-    return labels[root], int(first.sum())
+        yield faces.crowd_cells[:-1][same], faces.crowd_cells[1:][same]
