@@ -1,7 +1,7 @@
 """Filters: which cells are hidden (SPEC F1 to F5). One module for each, and the stack that combines them.
 
 A filter is a function from arrays and settings to (C,) bool, True where it hides a cell. Order: planes and
-peel, the regularisation of the two, quality, hand-picking.
+peel, the regularisation of the two; quality, parts, groups, structure; hand-picking.
 """
 
 from .peel import peel

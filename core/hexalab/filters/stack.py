@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Callable, Hashable, Mapping
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Any
 
 import numpy as np
@@ -17,12 +17,14 @@ from numpy.typing import NDArray
 from ..arrays import Floats, Ids
 from ..mesh import Mesh
 from ..quality import METRICS
+from ..structure import Structure
 from ..topology import Topology
 from .peel import peel
 from .picking import PickedCells, pick
 from .plane import Places, any_corner_places, barycentre_places, plane
 from .quality import Keep, band
 from .regularisation import STRONGEST, Regulariser
+from .structure import hidden_by_structure, traced_of
 
 Hidden = NDArray[np.bool_]
 Settings = Mapping[str, Any]
@@ -51,6 +53,8 @@ class FilterStack:
         What peeling and regularisation walk over, if not the mesh's own.
     members : callable, str to (n,) int, optional
         Gives the rows of a group's cells, by its id; none by default.
+    structure : callable, optional
+        Gives the mesh's structure, if it is known already; it is traced here by default.
 
     Examples
     --------
@@ -64,8 +68,10 @@ class FilterStack:
         values: Callable[[str], Floats],
         topology: Topology | None = None,
         members: Callable[[str], Ids] | None = None,
+        structure: Callable[[], Structure] | None = None,
     ) -> None:
         self._mesh = mesh
+        self._structure = structure or cache(lambda: Structure(mesh))
         self._members = members
         self._topology = topology or mesh.topology
         self._values = values
@@ -79,7 +85,8 @@ class FilterStack:
         A section that is missing hides nothing. The array is the caller's.
         """
         hidden = self._cut(filters)
-        for others in (self._by_quality(filters), self._by_parts(filters), self._by_groups(filters)):
+        for by in (self._by_quality, self._by_parts, self._by_groups, self._by_structure):
+            others = by(filters)
             if others is not None:
                 hidden = hidden | others
         return ~self._picked(hidden, filters)
@@ -90,7 +97,7 @@ class FilterStack:
         Parameters
         ----------
         group : str
-            "cut" (planes and peel, regularised), "quality", "parts", "groups", "picking".
+            "cut" (planes and peel, regularised), "quality", "parts", "groups", "structure", "picking".
         filters : dict
             As `apply` takes them.
         """
@@ -100,6 +107,7 @@ class FilterStack:
             "quality": lambda: self._by_quality(filters),
             "parts": lambda: self._by_parts(filters),
             "groups": lambda: self._by_groups(filters),
+            "structure": lambda: self._by_structure(filters),
             "picking": lambda: self._picked(none, filters),
         }
         hidden = groups[group]()
@@ -137,6 +145,12 @@ class FilterStack:
     def _by_groups(self, filters: Settings) -> Hidden | None:
         groups = _chosen(filters.get("groups", {}))
         return self._kept("groups", groups, lambda: self._in_hidden_groups(*groups)) if groups else None
+
+    def _by_structure(self, filters: Settings) -> Hidden | None:
+        traced = traced_of(filters.get("structure", {}))
+        if traced is None:
+            return None
+        return self._kept("structure", traced, lambda: hidden_by_structure(self._structure(), traced))
 
     def _picked(self, hidden: Hidden, filters: Settings) -> Hidden:
         """What is hidden, and then what was hidden or shown by hand."""

@@ -30,6 +30,7 @@ from .opened import DESCRIBED, Opened
 from .picture import Picture, quantity_of
 from .preparing import prepared
 from .preview import preview_of
+from .tracing import Tracing
 
 __all__ = ["DESCRIBED", "Session", "prepared"]
 
@@ -45,7 +46,7 @@ Sizes = Mapping[str, Callable[[], int | None]]
 """Bytes of the files that these were read from."""
 
 
-class Session:
+class Session(Tracing):
     """One open mesh, and the settings that it is drawn under.
 
     Parameters
@@ -202,7 +203,7 @@ class Session:
             `shown_cells`, `shown_faces`, `max_depth` (None until it is known), `plane_ranges` (extent of the
             barycentres along each plane's normal, in drawing coordinates), `pending` (records that wait for
             `describe`), `timings` (ms), and of the records `surface`, `silhouette`, `see_through`, `irregular`,
-            `arrows`, `marks`, `colour` those that changed.
+            `arrows`, `marks`, `curves`, `colour` those that changed.
 
         Raises
         ------
@@ -242,7 +243,11 @@ class Session:
         return preview_of(self._open_mesh(), settings)
 
     def save_cells(
-        self, format: str, metrics: Sequence[str] = (), attributes: Sequence[str] | None = None
+        self,
+        format: str,
+        metrics: Sequence[str] = (),
+        attributes: Sequence[str] | None = None,
+        structure: bool = False,
     ) -> Result:
         """Write the shown cells as a mesh; see `shown_cells.shown_mesh`.
 
@@ -250,14 +255,14 @@ class Session:
         ----------
         format : str
             Id of a row of `hexalab.WRITERS`.
-        metrics, attributes : sequence of str
+        metrics, attributes, structure
 
         Returns
         -------
         dict
             `data` ((n,) uint8, the file), `cells`, `vertices`, `notes` (what the format has no place for).
         """
-        part = shown_cells.shown_mesh(self._open_mesh(), self._drawn().shown, metrics, attributes)
+        part = shown_cells.shown_mesh(self._open_mesh(), self._drawn().shown, metrics, attributes, structure)
         return {
             "cells": part.cell_count,
             "vertices": part.vertex_count,

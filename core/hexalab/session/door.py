@@ -44,6 +44,12 @@ METHODS = (
     "cut_to",
     "neighbour",
     "finding_cells",
+    "trace",
+    "structure_facts",
+    "structure_table",
+    "structure_csv",
+    "sheet_pairs",
+    "structure_box",
 )
 """What may be asked; nothing else of a session can be reached from outside."""
 

@@ -18,6 +18,7 @@ from ..numbering import cell_numbers, vertex_numbers
 from ..quality import METRICS, certify, quality_many
 from ..quality.sizes import NEEDS as SIZED
 from ..quality.validity import STATES
+from ..structure.quantities import QUANTITIES
 from ..surface import Frame
 from .opened import Opened
 
@@ -32,7 +33,8 @@ def inspect(opened: Opened, cell: int) -> dict[str, Any]:
         numbers of them), `coordinates` (one [x, y, z] for each), `groups` (ids of those that it is in),
         `metrics` (id to value, None where it is not finite; only those that the kind has), `pending` (metrics
         that compare with the mesh's mean volume and wait for it, None among `metrics`), `attributes` (name to value
-        or list), `neighbours` (six cells, -1 outside), `validity` ("valid", "invalid" or "undecided").
+        or list), `neighbours` (six cells, -1 outside), `structure` (see
+        `TracedBook.at`; None until it is traced), `validity` ("valid", "invalid" or "undecided").
     """
     mesh = opened.mesh
     kind = int(mesh.kinds[cell])
@@ -51,6 +53,7 @@ def inspect(opened: Opened, cell: int) -> dict[str, Any]:
         "pending": [id for id in own if id not in metrics],
         "attributes": cell_attributes(mesh, cell),
         "neighbours": mesh.topology.neighbours_of(np.array([cell]))[:, 0].tolist(),
+        "structure": opened.traced.at(cell) if "traced" in vars(opened) else None,
         "validity": STATES[int(certify(alone(mesh, cell)).state[0])],
     }
 
@@ -81,6 +84,8 @@ def value(opened: Opened, cell: int, quantity: str) -> dict[str, Any]:
     if quantity in METRICS:
         metrics = cell_metrics(opened, cell, [quantity])
         return {**told, "value": metrics.get(quantity), "pending": quantity not in metrics}
+    if quantity in QUANTITIES:
+        return {**told, "value": _finite(opened.values(quantity)[cell])}
     attribute = opened.attribute(quantity)
     one = alone(opened.mesh, cell, attribute.array)
     components = [_finite(cell_values(one, part)[0]) for part in attributes.components(one, attribute)]

@@ -7,6 +7,7 @@ from typing import Any
 from .. import status as documents
 from ..quality import METRICS
 from ..status import Rejection
+from ..structure.quantities import QUANTITIES
 from .opened import Opened
 
 Partial = dict[str, Any]
@@ -63,7 +64,7 @@ def _colour(colour: Partial, opened: Opened | None, rejections: list[Rejection])
         del colour["metric"]
         if colour.get("by") == "quality":
             del colour["by"]
-    if attribute and opened and attribute not in opened.attributes:
+    if attribute and opened and attribute not in opened.attributes and attribute not in QUANTITIES:
         rejections.append(_unknown("colour.attribute", attribute, opened.attributes))
         del colour["attribute"]
         if colour.get("by") == "attribute":
@@ -120,7 +121,7 @@ def _bands(quality: Partial, opened: Opened | None, rejections: list[Rejection])
     kept = []
     for place, band in enumerate(quality.get("items", ())):
         quantity = band["quantity"]
-        if quantity in METRICS or not opened or quantity in opened.attributes:
+        if quantity in METRICS or quantity in QUANTITIES or not opened or quantity in opened.attributes:
             kept.append(band)
         else:
             known = [*METRICS, *opened.attributes]

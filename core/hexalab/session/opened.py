@@ -20,6 +20,7 @@ from ..mesh import Mesh
 from ..quality import METRICS, Validity, certify, quality, statistics
 from ..status import OpenMesh
 from ..status.views import three_quarters
+from ..structure.quantities import QUANTITIES, quantity_values
 from ..summary import TOPOLOGY
 from ..surface import (
     DrawnMesh,
@@ -32,8 +33,10 @@ from ..surface import (
 )
 from ..topology.shapes import SHAPES, shapes
 from .grouped import GroupBook
+from .looking import Onlooker
 from .marked import MarkBook
 from .mean_volumes import MeanVolumes
+from .traced import TracedBook
 
 DESCRIBED = ("groups", *TOPOLOGY, "shapes", "parts", "findings")
 """Parts of a description, to be asked for one by one."""
@@ -84,6 +87,16 @@ class Opened:
         return MarkBook(self.drawn_mesh, self.groups)
 
     @cached_property
+    def traced(self) -> TracedBook:
+        """The structure of the whole mesh."""
+        return TracedBook(self.drawn_mesh)
+
+    @cached_property
+    def onlooker(self) -> Onlooker:
+        """Draws what of the structure is looked at."""
+        return Onlooker(self.drawn_mesh, self.traced.structure)
+
+    @cached_property
     def attributes(self) -> dict[str, Attribute]:
         """The file's attributes by id."""
         return attributes(self.mesh)
@@ -127,7 +140,8 @@ class Opened:
     @cached_property
     def filters(self) -> FilterStack:
         """The filters, with what they keep between two settings."""
-        return FilterStack(self.mesh, self.values, self.drawn_mesh.topology, self.groups.members)
+        topology, members = self.drawn_mesh.topology, self.groups.members
+        return FilterStack(self.mesh, self.values, topology, members, lambda: self.traced.structure)
 
     @cached_property
     def findings(self) -> list[Finding]:
@@ -190,6 +204,8 @@ class Opened:
             return self._values[quantity]
         if quantity in METRICS:
             values = quality(self.mesh, quantity)
+        elif quantity in QUANTITIES:
+            values = quantity_values(self.traced.structure, quantity)
         else:
             values = cell_values(self.mesh, self.attribute(quantity))
         self._values[quantity] = values
@@ -244,7 +260,9 @@ class Opened:
 
     def label_of(self, quantity: str) -> str:
         """Return what a metric or an attribute is called on the screen."""
-        return METRICS[quantity].name if quantity in METRICS else self.attributes[quantity].name
+        named = METRICS if quantity in METRICS else QUANTITIES if quantity in QUANTITIES else self.attributes
+        name: str = named[quantity].name
+        return name
 
     def map_positions(
         self, quantity: str, values: Floats, limits: tuple[float, float] | None = None

@@ -11,24 +11,30 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..quality import METRICS
-from ..surface import LINED, extract_arrows, extract_silhouette, extract_surface
+from ..surface import LINED, ExplodedMesh, extract_arrows, extract_silhouette, extract_surface
+from ..surface.curves import Drawing
+from .looking import NOTHING, Look
 from .opened import Opened
 
 Settings = dict[str, Any]
 Shown = NDArray[np.bool_]
 
-CATEGORIES: dict[str, tuple[str, Callable[[Opened], NDArray[Any]]]] = {
-    "kind": ("Cell kind", lambda opened: opened.shapes),
-    "part": ("Part", lambda opened: opened.mesh.topology.parts[0]),
+CATEGORIES: dict[str, tuple[str, Callable[[Opened, Look], NDArray[Any]]]] = {
+    "kind": ("Cell kind", lambda opened, _: opened.shapes),
+    "part": ("Part", lambda opened, _: opened.mesh.topology.parts[0]),
+    "block": ("Block", lambda opened, look: opened.onlooker.block_places(look.base)),
+    "chosen": ("Chosen", lambda opened, look: opened.onlooker.chosen_places(look)),
 }
+"""What cells are coloured by that has no scale: its name, and the number of each cell's category."""
 
 GROUP = "group:"
 """What the quantity begins with where cells are coloured by group; the groups' origin follows."""
 
-"""What cells are coloured by that has no scale: its name, and the number of each cell's category."""
-
 COLOURS = 256
 """The viewer's palettes have so many entries."""
+
+GOING = ("see_through", "marks", "curves")
+"""Records that are sent empty when they are switched off."""
 
 BARBED = (3, 4)
 PAPER = (5, 6)
@@ -46,8 +52,12 @@ class Picture:
         self.opened = opened
         self.shown: Shown = np.ones(opened.mesh.cell_count, dtype=bool)
         self._filters: Settings | None = None
+        self._look = NOTHING
+        self._solid: Shown = self.shown
+        self._drawn_mesh = opened.drawn_mesh
         self._version = 0
         self._shown_faces = (-1, 0)
+        self._looked: tuple[Any, ...] | None = None
         self._made: dict[str, Any] = {}
         self.timings: dict[str, float] = {}
 
@@ -61,41 +71,59 @@ class Picture:
         """
         self.timings = {}
         self._filter(settings["filters"])
+        self._look_at(Look.of(settings["structure"]))
         parts: dict[str, Any] = {}
         separation = settings["separation"]
         edges = separation["mode"] in LINED and not lean
-        surface = (self._version, separation["mode"], _size(separation), edges)
+        surface = (self._version, separation["mode"], _size(separation), edges, self._look.drawn)
         self._renew(parts, "surface", surface, self._extract_surface, separation, edges)
-        if settings["silhouette"] > 0 and not lean:
-            self._renew(parts, "silhouette", self._version, self._extract_silhouette)
-        cells = settings["see_through"]["cells"]
-        if cells != "none" and not lean:
-            seen = (self._version, self._filters if cells != "all" else None, cells)
-            self._renew(parts, "see_through", seen, self._extract_see_through, cells)
-        attribute = settings["arrows"]["attribute"]
-        if attribute and not lean:
-            gap = separation["gap"] if separation["mode"] == "fissure" else 0.0
-            self._renew(
-                parts, "arrows", (self._version, attribute, gap), self._extract_arrows, attribute, gap
-            )
-        marks = settings["marks"]
-        wanted = self.opened.marks.wanted(marks)
-        if not lean and (wanted or "marks" in self._made):
-            asked = (self._version, json.dumps(marks, sort_keys=True)) if wanted else None
-            self._renew(parts, "marks", asked, self._extract_marks, marks)
+        if not lean:
+            self._renew_around(parts, settings)
+            self._renew_over(parts, settings)
         irregular, pending = self._irregular_parts(settings["irregular"])
         if irregular is not None and not pending:
             self._renew(parts, "irregular", irregular, self._extract_irregular, *irregular)
-        colour = settings["colour"]
-        mapped = colour["by"] in ("quality", "attribute")
-        coloured = (quantity_of(colour), _frozen(colour["range"]) if mapped else None)
-        self._renew(parts, "colour", coloured, self.colour, colour)
+        self._renew(parts, "colour", self._colour_key(settings["colour"]), self.colour, settings["colour"])
         parts["pending"] = ["irregular"] if pending else []
         return parts
 
+    def _renew_around(self, parts: dict[str, Any], settings: Settings) -> None:
+        """What is drawn of cells that are hidden, or faint beside what is looked at."""
+        if settings["silhouette"] > 0:
+            silhouette = (self._version, self._look.explode and self._look.drawn)
+            self._renew(parts, "silhouette", silhouette, self._extract_silhouette)
+        cells = settings["see_through"]["cells"]
+        seen = (
+            self._version,
+            cells,
+            self._filters if cells not in ("none", "all") else None,
+            self._look.drawn,
+        )
+        wanted = cells != "none" or self._solid is not self.shown
+        self._renew_wanted(parts, "see_through", wanted, seen, self._extract_see_through, cells)
+
+    def _renew_over(self, parts: dict[str, Any], settings: Settings) -> None:
+        """What is drawn over the surface."""
+        attribute, separation, marks = (
+            settings["arrows"]["attribute"],
+            settings["separation"],
+            settings["marks"],
+        )
+        if attribute:
+            gap = separation["gap"] if separation["mode"] == "fissure" else 0.0
+            arrows = (self._version, attribute, gap, self._look.drawn)
+            self._renew(parts, "arrows", arrows, self._extract_arrows, attribute, gap)
+        marked = (self._version, json.dumps(marks, sort_keys=True))
+        self._renew_wanted(
+            parts, "marks", self.opened.marks.wanted(marks), marked, self._extract_marks, marks
+        )
+        self._renew_wanted(
+            parts, "curves", self._look.curved, (self._version, self._look), self._extract_curves
+        )
+
     def forget(self) -> None:
         """Let the next update return every record: what was made last has not come to whoever draws it."""
-        self._made = {"marks": object()}  # those that were switched off have to go, too
+        self._made = {name: object() for name in GOING}  # those that were switched off have to go, too
 
     def shown_faces(self) -> int:
         """Return the number of faces between shown cells and hidden ones or the outside."""
@@ -114,7 +142,7 @@ class Picture:
             return self._colour_by_group(quantity.removeprefix(GROUP))
         if quantity in CATEGORIES:
             label, categories = CATEGORIES[quantity]
-            places = categories(opened).astype(np.float32)
+            places = categories(opened, self._look).astype(np.float32)
             places %= COLOURS
             return {
                 "map_position": places,
@@ -159,6 +187,12 @@ class Picture:
             "in_several": grouping.in_several,
         }
 
+    def _colour_key(self, colour: Settings) -> tuple[Any, ...]:
+        """What the colours are made from."""
+        quantity, mapped = quantity_of(colour), colour["by"] in ("quality", "attribute")
+        look = {"block": self._look.base, "chosen": self._look.drawn}.get(colour["by"])
+        return quantity, _frozen(colour["range"]) if mapped else None, look
+
     def _filter(self, filters: Settings) -> None:
         if filters == self._filters:
             return
@@ -170,25 +204,47 @@ class Picture:
         self._filters = filters
         self.timings["filters"] = 1000 * (perf_counter() - began)
 
+    def _look_at(self, look: Look) -> None:
+        """Which of the shown cells are drawn as such, `_solid`, and where they are."""
+        key = (self._version, look.drawn)
+        if self._looked != key:
+            onlooker = self.opened.onlooker if look.kind != "none" else None
+            self._solid = onlooker.solid(look, self.shown) if onlooker else self.shown
+            self._drawn_mesh = onlooker.drawn_mesh(look) if onlooker else self.opened.drawn_mesh
+            self._looked = key
+        self._look = look
+
     def _extract_surface(self, separation: Settings, edges: bool) -> dict[str, Any]:
+        if self._look.kind != "none" and self._look.form == "surfaces":
+            return self.opened.onlooker.surface(self._look, self.shown).arrays()
         mode, sizes = separation["mode"], {name: separation[name] for name in ("gap", "radius")}
-        return extract_surface(self.opened.drawn_mesh, self.shown, mode, **sizes, edges=edges).arrays()
+        return extract_surface(self._drawn_mesh, self._solid, mode, **sizes, edges=edges).arrays()
 
     def _extract_silhouette(self) -> dict[str, Any]:
-        return extract_silhouette(self.opened.drawn_mesh, self.shown).arrays()
+        return extract_silhouette(self._drawn_mesh, self.shown).arrays()
 
     def _extract_see_through(self, cells: str) -> dict[str, Any]:
-        hidden = ~self.shown
-        if cells != "all":
-            hidden &= self.opened.filters.hidden_by(cells, self._filters or {})
-        return extract_surface(self.opened.drawn_mesh, hidden, "lines").arrays()
+        faint = self.shown & ~self._solid
+        if cells != "none":
+            hidden = ~self.shown
+            if cells != "all":
+                hidden &= self.opened.filters.hidden_by(cells, self._filters or {})
+            faint |= hidden
+        return extract_surface(self._drawn_mesh, faint, "lines").arrays()
 
     def _extract_marks(self, marks: Settings) -> dict[str, Any]:
         return self.opened.marks.marks(marks, self.shown).arrays()
 
+    def _extract_curves(self) -> dict[str, Any]:
+        if not self._look.curved:
+            return Drawing().record().arrays()
+        return self.opened.onlooker.curves(self._look, self.shown, self._drawn_mesh).arrays()
+
     def _extract_arrows(self, attribute: str, gap: float) -> dict[str, Any]:
-        opened = self.opened
-        return extract_arrows(opened.drawn_mesh, self.shown, opened.field(attribute), gap).arrays()
+        field = self.opened.field(attribute)
+        if isinstance(self._drawn_mesh, ExplodedMesh):
+            field = field.of(self._drawn_mesh.pieces.source)
+        return extract_arrows(self._drawn_mesh, self._solid, field, gap).arrays()
 
     def _irregular_parts(self, irregular: Settings) -> tuple[tuple[bool, bool] | None, bool]:
         """Which parts the mode draws, None for none; and whether they have to wait for the edges."""
@@ -199,6 +255,19 @@ class Picture:
 
     def _extract_irregular(self, barbs: bool, paper: bool) -> dict[str, Any]:
         return self.opened.irregular(barbs, paper).arrays()
+
+    def _renew_wanted(
+        self,
+        parts: dict[str, Any],
+        name: str,
+        wanted: bool,
+        made_from: Any,
+        make: Callable[..., Any],
+        *arguments: Any,
+    ) -> None:
+        """Renew a record that is switched on, or send it once more, empty, after it was switched off."""
+        if wanted or name in self._made:
+            self._renew(parts, name, made_from if wanted else None, make, *arguments)
 
     def _renew(
         self, parts: dict[str, Any], name: str, made_from: Any, make: Callable[..., Any], *arguments: Any
@@ -220,6 +289,8 @@ def quantity_of(colour: Settings) -> str | None:
         "attribute": colour["attribute"],
         "kind": "kind",
         "part": "part",
+        "block": "block",
+        "chosen": "chosen",
         "group": GROUP + colour["grouping"],
     }.get(by)
 

@@ -16,6 +16,7 @@ from ..formats import left_behind, writer_of
 from ..mesh import Mesh
 from ..quality import METRICS
 from ..selection import select_cells
+from ..structure.cell_data import cell_data
 from .opened import Opened
 
 CELL = "original_cell"
@@ -27,6 +28,7 @@ def shown_mesh(
     shown: NDArray[np.bool_],
     metrics: Sequence[str] = (),
     attributes: Sequence[str] | None = None,
+    structure: bool = False,
 ) -> Mesh:
     """Make a mesh of the shown cells.
 
@@ -40,6 +42,8 @@ def shown_mesh(
         the same name stays, and the metric is then called ``NAME (measured)``.
     attributes : sequence of str, optional
         Attributes of the file that come along, ``cell:NAME`` or ``point:NAME``; all by default.
+    structure : bool
+        Whether the structure comes along; see `hexalab.structure.cell_data`.
 
     Returns
     -------
@@ -69,6 +73,8 @@ def shown_mesh(
     lean = replace(mesh, point_data=points, cell_data=cells)
     part = select_cells(lean, rows) if len(rows) < mesh.cell_count else lean
     measured: dict[str, Array] = {}
+    if structure:
+        measured = {name: of[rows] for name, of in cell_data(opened.traced.structure).items()}
     for metric in metrics:
         if metric not in METRICS:
             raise HexaLabError(f"there is no metric {metric!r}; there are {', '.join(METRICS)}")

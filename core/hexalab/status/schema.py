@@ -9,11 +9,13 @@ from __future__ import annotations
 from typing import Any
 
 from .figure_schema import FIGURE
+from .structure_schema import STRUCTURE, STRUCTURE_FILTER
 from .words_of_schema import (
     CELL_IDS,
     COLOUR,
     DIRECTION,
     GROUP_IDS,
+    NUMBERS,
     ON,
     OPEN_END,
     UNIT,
@@ -110,8 +112,8 @@ FILTERS = section(
         "Parts that share no face, by number: 0 is the one of most cells.",
         enabled=ON,
         isolated={"type": "boolean", "default": False, "description": "Hide all but the shown"},
-        hidden=CELL_IDS,
-        shown=CELL_IDS,
+        hidden=NUMBERS,
+        shown=NUMBERS,
     ),
     groups=section(
         "The file's groups of cells, by id: ORIGIN:NAME.",
@@ -120,11 +122,12 @@ FILTERS = section(
         hidden=GROUP_IDS,
         shown=GROUP_IDS,
     ),
+    structure=STRUCTURE_FILTER,
     picking=section(
         "Cells hidden and shown by hand.",
         enabled=ON,
         isolated={"type": "boolean", "default": False, "description": "Hide all but the shown"},
-        hidden={**CELL_IDS, "description": "Cells by number, from 0 in the file's order"},
+        hidden=CELL_IDS,
         shown=CELL_IDS,
     ),
 )
@@ -140,11 +143,13 @@ SEPARATION = section(
 
 COLOUR_BY = section(
     "What the faces are coloured by.",
-    by=core(choice("sides", "quality", "attribute", "kind", "part", "group")),
+    by=core(choice("sides", "quality", "attribute", "kind", "part", "group", "block", "chosen")),
     outside={**COLOUR, "default": "#ffffff", "description": "Faces of the boundary"},
     inside={**COLOUR, "default": "#ffff00", "description": "Faces that filters expose"},
     metric=core({"type": "string", "minLength": 1, "default": "scaled_jacobian"}),
-    attribute=core({"type": "string", "default": "", "description": "cell:NAME or point:NAME"}),
+    attribute=core(
+        {"type": "string", "default": "", "description": "cell:NAME, point:NAME or structure:NAME"}
+    ),
     grouping=core(
         {
             "type": "string",
@@ -213,6 +218,7 @@ SCHEMA: Schema = {
                     "quality",
                     "parts",
                     "groups",
+                    "structure",
                     "picking",
                     description="Which: all that are hidden, or those that some filters hide (cut: slice and peel)",
                 )
@@ -277,6 +283,7 @@ SCHEMA: Schema = {
                 "standard", "colour_blind", description="Of valences; the second differs in width too"
             ),
         ),
+        structure=STRUCTURE,
         lighting=section(
             "Light.",
             mode=choice("object_space_ao", "screen_space_ao", "direct", "none"),

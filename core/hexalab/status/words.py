@@ -49,7 +49,12 @@ def _limit_words(schema: Schema) -> str:
 def _list_words(schema: Schema) -> str:
     low, high = schema.get("minItems"), schema.get("maxItems")
     each = schema["items"]
-    names = {"number": "numbers", "integer": "cell numbers", "object": "objects", "string": "texts"}
+    names = {
+        "number": "numbers",
+        "integer": "whole numbers from 0 on",
+        "object": "objects",
+        "string": "texts",
+    }
     what = names[each["type"]]
     count = f"{low} " if low is not None and low == high else ""
     most = f", {high} at most" if high is not None and low is None else ""

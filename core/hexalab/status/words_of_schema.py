@@ -11,7 +11,8 @@ COLOUR = {"type": "string", "pattern": "^#[0-9a-fA-F]{6}$", "maxLength": 7}
 VECTOR = {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3}
 DIRECTION = {**VECTOR, "contains": {"not": {"const": 0}}}
 OPEN_END = {"type": ["number", "null"], "default": None}
-CELL_IDS = {"type": "array", "items": {"type": "integer", "minimum": 0}, "default": []}
+NUMBERS = {"type": "array", "items": {"type": "integer", "minimum": 0}, "default": []}
+CELL_IDS = {**NUMBERS, "description": "Cells by number, from 0 in the file's order"}
 ON = {"type": "boolean", "default": True}
 GROUP_IDS = {
     "type": "array",

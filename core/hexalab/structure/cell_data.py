@@ -30,11 +30,14 @@ CELL_DATA: dict[str, Callable[[Structure], Ids]] = {
 """Name of each attribute, and its values, (C,) int32: numbers from 0 on, -1 where nothing is traced or no way leads."""
 
 
-def with_structure(mesh: Mesh) -> Mesh:
-    """Add all of `CELL_DATA` to a mesh; where the file has such a name, ours is `NAME (traced)`."""
-    structure = Structure(mesh)
-    traced = {
-        f"{name} (traced)" if name in mesh.cell_data else name: values(structure)
-        for name, values in CELL_DATA.items()
+def cell_data(structure: Structure) -> dict[str, Ids]:
+    """All of `CELL_DATA` by name; where the file has such a name, ours is `NAME (traced)`."""
+    taken = structure.mesh.cell_data
+    return {
+        f"{name} (traced)" if name in taken else name: values(structure) for name, values in CELL_DATA.items()
     }
-    return replace(mesh, cell_data={**mesh.cell_data, **traced})
+
+
+def with_structure(mesh: Mesh) -> Mesh:
+    """Add the structure to a mesh as attributes of its cells; see `cell_data`."""
+    return replace(mesh, cell_data={**mesh.cell_data, **cell_data(Structure(mesh))})

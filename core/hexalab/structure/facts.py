@@ -16,8 +16,14 @@ REGULAR, POLYCUBE = "regular", "polycube"
 """The classes that are exact: no irregular interior edge, and one block for each component, or more."""
 
 
-def facts_of(structure: Structure) -> dict[str, Any]:
+def facts_of(structure: Structure, labels: bool = True) -> dict[str, Any]:
     """Collect the facts.
+
+    Parameters
+    ----------
+    structure : Structure
+    labels : bool
+        Whether hashes of all labels are wanted, which take longer than the rest on large meshes.
 
     Returns
     -------
@@ -44,12 +50,13 @@ def facts_of(structure: Structure) -> dict[str, Any]:
         "interior_base_complex": {"blocks": structure.interior_base_complex.blocks.count},
         "class": class_of(structure),
         "irregular_vertex_share": irregular_vertex_share(structure),
-        "labels": {
+    }
+    if labels:
+        facts["labels"] = {
             "sheets": hash_of(sheets.of_cells.T),
             "chords": hash_of(chords.of_cells.T),
             "blocks": hash_of(structure.base_complex.blocks.of_cells),
-        },
-    }
+        }
     skipped = structure.frame.skipped
     return {"skipped": skipped, **facts} if skipped else facts
 

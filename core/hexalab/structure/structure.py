@@ -76,6 +76,11 @@ class Structure:
         return skeleton(self.frame, self.base_complex.complex_faces)
 
     @cached_property
+    def interior_skeleton(self) -> Skeleton:
+        """Vertices, edges and faces of the interior base complex."""
+        return skeleton(self.frame, self.interior_base_complex.complex_faces)
+
+    @cached_property
     def base_sheets(self) -> tuple[Ids, int]:
         """(S,) int32: the base sheet of each sheet; how many there are."""
         return base_sheets(self.frame, self.base_complex.complex_faces, self.sheets)

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..arrays import Array
 from ..numbering import vertex_numbers
-from .blocks import KINDS
+from .blocks import KINDS, Blocks
 from .graph import Graph
 from .structure import Structure
 
@@ -102,9 +102,9 @@ def chords_table(structure: Structure) -> Columns:
     }
 
 
-def blocks_table(structure: Structure) -> Columns:
-    """Blocks: cells, kind, cells along the three edges of a box, or a ring's section and length."""
-    blocks = structure.base_complex.blocks
+def blocks_table(structure: Structure, blocks: Blocks | None = None) -> Columns:
+    """Blocks, of the whole base complex by default: cells, kind, dimensions (see `Blocks`)."""
+    blocks = structure.base_complex.blocks if blocks is None else blocks
     return {
         "number": Column(np.arange(blocks.count)),
         "cells": Column(blocks.cells),

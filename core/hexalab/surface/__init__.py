@@ -1,4 +1,4 @@
-"""Surfaces: a module for each separation mode; silhouette; irregular and sharp edges; arrows."""
+"""Surfaces: a module for each separation mode; silhouette; irregular and sharp edges; arrows; what shows structure."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ from numpy.typing import NDArray
 from .arrows import VectorField, extract_arrows
 from .darkness_coded_edges import darkness_coded_edges
 from .drawn_mesh import DrawnMesh
+from .dual import dual_surface, walls
+from .exploded import ExplodedMesh, Pieces
 from .feature_edges import BoundaryEdges, boundary_edge_angles, sharp_edges
 from .fissure import fissure
 from .frame import Frame, long_axis, outline, skin
@@ -23,12 +25,15 @@ __all__ = [
     "Arrows",
     "BoundaryEdges",
     "DrawnMesh",
+    "ExplodedMesh",
     "Frame",
     "Irregular",
+    "Pieces",
     "Silhouette",
     "Surface",
     "VectorField",
     "boundary_edge_angles",
+    "dual_surface",
     "extract_arrows",
     "extract_irregular",
     "extract_silhouette",
@@ -37,6 +42,7 @@ __all__ = [
     "outline",
     "sharp_edges",
     "skin",
+    "walls",
 ]
 
 MODES = ("lines", "darkness_coded_edges", "fissure", "rounded")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from copy import copy
 from typing import Literal
 
 import numpy as np
@@ -57,6 +58,14 @@ class VectorField:
         for axis in range(3):
             self.vectors[axis] = columns[axis] / (largest or 1.0) / (ratio or 1.0)
         self.vectors[:, ~finite] = np.nan
+
+    def of(self, vertices: Ids) -> VectorField:
+        """The field of a mesh whose vertices stand for some of this one's; that of cells is the same."""
+        if self.on == "cell":
+            return self
+        out = copy(self)
+        out.vectors = self.vectors[:, vertices]
+        return out
 
     def on_faces(self, cells: Ids, corners: Ids) -> Floats32:
         """Vectors of some faces: their cell's, or the mean of their own corners'.

@@ -6,6 +6,7 @@ from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..arrays import Array, Floats, Ids
 from ..mesh import Mesh
@@ -59,6 +60,11 @@ class DrawnMesh:
             for axis in range(3):
                 out[axis] = (self.mesh.coordinates[axis] - centre[axis]) / diagonal
         return out
+
+    def exposed(self, rows: Array) -> NDArray[np.bool_]:
+        """Which faces, by their rows, are not the mesh's own boundary: if they are drawn, filters expose them."""
+        faces = self.topology.faces
+        return np.asarray((rows < faces.paired) | (rows >= faces.boundary_end))
 
     def points(self, vertices: Array) -> Floats32:
         """Drawing coordinates of vertices of any shape, axis first."""

@@ -10,7 +10,6 @@ from .collapse import first_places
 from .drawn_mesh import DrawnMesh
 from .exposure import ExposedCells, exposed_cells
 from .flat import flat_surface
-from .lines import exposed_by_filters
 from .records import Floats32, Surface
 
 _PLACES = np.array(FACES, np.intp)
@@ -48,7 +47,7 @@ def fissure(drawn_mesh: DrawnMesh, shown: NDArray[np.bool_], gap: float = 0.15) 
     quads = np.empty((3, 4, len(which)), np.float32)
     for axis in range(3):
         quads[axis] = points[axis].reshape(-1)[places]
-    inside = exposed_by_filters(drawn_mesh, rows)
+    inside = drawn_mesh.exposed(rows)
     return flat_surface(drawn_mesh, "fissure", quads, found.cells[which], local, inside)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arrays import Array, Ids
+from ..arrays import Ids
 from ..topology import Interface
 from .drawn_mesh import DrawnMesh
 from .edges import faces_beside, one_of_each, quad_sides
@@ -46,14 +46,8 @@ def interface_surface(
 ) -> Surface:
     """Flat quads of an interface, (4, Q) corners, with edges already found."""
     points = drawn_mesh.points(corners)
-    inside = exposed_by_filters(drawn_mesh, interface.rows)
+    inside = drawn_mesh.exposed(interface.rows)
     return flat_surface(drawn_mesh, mode, points, interface.cells, interface.locals, inside, edges)
-
-
-def exposed_by_filters(drawn_mesh: DrawnMesh, rows: Array) -> NDArray[np.bool_]:
-    """Which faces, by their rows, are not the mesh's own boundary."""
-    faces = drawn_mesh.topology.faces
-    return np.asarray((rows < faces.paired) | (rows >= faces.boundary_end))
 
 
 def edge_lines(drawn_mesh: DrawnMesh, start: Ids, end: Ids) -> Floats32:

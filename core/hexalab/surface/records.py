@@ -151,6 +151,34 @@ class Marks:
 
 
 @dataclass(frozen=True)
+class Curves:
+    """Curves and points of the structure, each with a row of the viewer's styles.
+
+    Attributes
+    ----------
+    edges : (6 E,) float32
+        End points.
+    points : (3 P,) float32
+    edge_rows, point_rows : (E,), (P,) uint8
+        Edges of arcs by valence (0 for two and fewer, to 4 for six and more), 5 the base complex and all points,
+        from 6 on chords.
+    edge_faint, point_faint : (E,), (P,) uint8
+        1 where something else was chosen.
+    """
+
+    edges: Floats32
+    edge_rows: Bytes
+    edge_faint: Bytes
+    points: Floats32
+    point_rows: Bytes
+    point_faint: Bytes
+
+    def arrays(self) -> dict[str, Any]:
+        """All fields by name, not copied."""
+        return dict(vars(self))
+
+
+@dataclass(frozen=True)
 class Arrows:
     """Vectors of an attribute on some faces of the shown cells' surface, spread evenly over it.
 

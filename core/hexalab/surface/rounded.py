@@ -13,7 +13,6 @@ from .drawn_mesh import DrawnMesh
 from .exposure import ExposedCells, exposed_cells
 from .flat import NO_EDGES
 from .lattice import THIRD, Lattice, lattice
-from .lines import exposed_by_filters
 from .normals import pack, quad_normals, unit
 from .records import Bytes, Floats32, Int16s, Surface, UInt32s
 
@@ -145,7 +144,7 @@ def _faces_of_cells(
     """Normals, packed in eight bytes, and `inside` of each class of nodes of each cell, class after class."""
     count = len(block.cells)
     rows = drawn_mesh.topology.cell_faces[:, block.cells]
-    within = exposed_by_filters(drawn_mesh, rows).view(np.uint8) * np.uint8(255)
+    within = drawn_mesh.exposed(rows).view(np.uint8) * np.uint8(255)
     faces = np.empty((6, 3, count), np.float32)
     for face in sorted({face for faces_of in shape.faces_of_class for face in faces_of}):
         faces[face] = quad_normals(

@@ -19,7 +19,8 @@ def extract_silhouette(drawn_mesh: DrawnMesh, shown: NDArray[np.bool_]) -> Silho
     shown : (C,) bool
     """
     faces = drawn_mesh.topology.faces
-    hidden = np.flatnonzero(~shown[faces.cells[0, faces.boundary]])
-    cells, local = faces.cells[0, faces.boundary][hidden], faces.locals[0, faces.boundary][hidden]
+    hidden = np.flatnonzero(~shown[faces.cells[0, faces.boundary]]) + faces.boundary.start
+    hidden = hidden[~drawn_mesh.exposed(hidden)]
+    cells, local = faces.cells[0, hidden], faces.locals[0, hidden]
     points = drawn_mesh.points(drawn_mesh.topology.corners_of(cells, local))
     return Silhouette(*flat_quads(points, lambda which: drawn_mesh.barycentres(cells[which])))
