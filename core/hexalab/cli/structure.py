@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import csv
 import json
-import sys
 from argparse import ArgumentParser, Namespace
 from typing import Any
 
 from .. import MeshReadError, read
 from ..errors import HexaLabError
-from ..structure import TABLES, Structure, facts_of, table_rows
+from ..structure import TABLES, Structure, csv_of, facts_of
 from ..words import count, counted
 from . import complain
 from .tables import table
@@ -44,8 +42,7 @@ def run(arguments: Namespace) -> int:
             code = complain(error)
             continue
         if arguments.csv:
-            rows = table_rows(TABLES[arguments.csv](structure))
-            csv.writer(sys.stdout, lineterminator="\n").writerows(rows)
+            print(csv_of(TABLES[arguments.csv](structure)), end="")
         elif arguments.json:
             print(json.dumps({"file": path, **facts_of(structure)}, ensure_ascii=False, allow_nan=False))
         else:

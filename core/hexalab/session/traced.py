@@ -13,7 +13,7 @@ from ..structure import Structure, facts_of
 from ..structure.matrix import sheet_pairs
 from ..structure.members import base_of, cells_of, graph_of
 from ..structure.quantities import quantity_values
-from ..structure.tables import TABLES, Columns, arcs_table, blocks_table, table_rows
+from ..structure.tables import TABLES, Columns, arcs_table, blocks_table, csv_of
 from ..surface import DrawnMesh
 
 STEPS: dict[str, Callable[[Structure], object]] = {
@@ -87,9 +87,9 @@ class TracedBook:
         ]
         return {"rows": len(columns["number"].values), "columns": told}
 
-    def rows(self, table: str, variant: str) -> list[list[str]]:
-        """A table as texts, its head first."""
-        return table_rows(self.columns(table, variant))
+    def csv(self, table: str, variant: str) -> str:
+        """A table as CSV."""
+        return csv_of(self.columns(table, variant))
 
     def pairs(self) -> dict[str, Any]:
         """Which sheets cross and which run side by side; see `hexalab.structure.matrix.SheetPairs`."""

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from typing import Any
 
 from ..packing import jsonable
@@ -53,9 +51,7 @@ class Tracing:
 
     def structure_csv(self, table: str, variant: str = "whole") -> str:
         """Write the same table as CSV."""
-        out = io.StringIO()
-        csv.writer(out, lineterminator="\n").writerows(self._open_mesh().traced.rows(table, variant))
-        return out.getvalue()
+        return self._open_mesh().traced.csv(table, variant)
 
     def sheet_pairs(self) -> Result:
         """Tell which sheets cross and which run side by side.

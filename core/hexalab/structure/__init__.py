@@ -4,9 +4,9 @@ from ..mesh import Mesh
 from .cell_data import CELL_DATA, with_structure
 from .facts import facts_of
 from .structure import Structure
-from .tables import TABLES, table_rows
+from .tables import TABLES, csv_of
 
-__all__ = ["CELL_DATA", "TABLES", "Structure", "facts_of", "structure", "table_rows", "with_structure"]
+__all__ = ["CELL_DATA", "TABLES", "Structure", "csv_of", "facts_of", "structure", "with_structure"]
 
 
 def structure(mesh: Mesh) -> Structure:

@@ -123,7 +123,7 @@ TABLES: dict[str, Callable[[Structure], Columns]] = {
 """Every table by its name."""
 
 
-def table_rows(columns: Columns) -> list[list[str]]:
-    """A table as CSV has it: names, then the values; what holds is "yes", what does not is "no"."""
+def csv_of(columns: Columns) -> str:
+    """A table as CSV: names, then the values; what holds is "yes", what does not is "no". Nothing needs quotes."""
     told = [column.told() for column in columns.values()]
-    return [list(columns), *map(list, zip(*told, strict=True))]
+    return "".join(",".join(row) + "\n" for row in [columns, *zip(*told, strict=True)])

@@ -24,13 +24,17 @@ LEAST, MOST = 2, 6
 """Valences below and above look alike."""
 
 BASE = MOST - LEAST + 1
-"""Row of the base complex' edges and vertices, behind those of valences."""
+"""Row of the base complex' edges, behind those of valences."""
 
 CHORDS = BASE + 1
 """First row of chords."""
 
 CHORD_ROWS = 6
 """So many rows of chords there are before they begin again."""
+
+
+NODES, VERTICES = 0, 1
+"""Rows of points: nodes of the graph, vertices of the base complex."""
 
 
 @dataclass
@@ -71,12 +75,10 @@ class Drawing:
         if graph.count:
             tips = graph.vertices[np.stack([graph.starts[:-1], graph.starts[1:] - 1])[:, chosen]]
             near = np.isin(graph.nodes, tips)
-            self._nodes(drawn_mesh, graph.nodes, ~near)
+            self._add_points(drawn_mesh, graph.nodes, NODES, ~near)
 
-    def _nodes(self, drawn_mesh: DrawnMesh, vertices: Ids, faint: Array) -> None:
-        self.points.append(
-            (drawn_mesh.points(vertices[None]), np.full(len(vertices), BASE), faint),
-        )
+    def _add_points(self, drawn_mesh: DrawnMesh, vertices: Ids, row: int, faint: Array) -> None:
+        self.points.append((drawn_mesh.points(vertices[None]), np.full(len(vertices), row), faint))
 
     def chords(
         self, drawn_mesh: DrawnMesh, frame: Frame, chords: Chords, chosen: Ids, shown: NDArray[np.bool_]
@@ -111,7 +113,7 @@ class Drawing:
             ends, tips = frame.edge_vertices[:, skeleton.mesh_edges], skeleton.vertices
         none = np.zeros(ends.shape[1], bool)
         self.edges.append((drawn_mesh.points(ends), np.full(len(none), BASE), none))
-        self._nodes(drawn_mesh, tips, np.zeros(len(tips), bool))
+        self._add_points(drawn_mesh, tips, VERTICES, np.zeros(len(tips), bool))
 
 
 def _middles(drawn_mesh: DrawnMesh, frame: Frame, cells: Ids, side: int) -> Floats32:

@@ -5,6 +5,8 @@ Both are seen from two sides, so that each quad is there twice, once for each si
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -92,4 +94,4 @@ def _two_sided(drawn_mesh: DrawnMesh, ring: Ids, points: Array, cells: Ids, loca
     lines = points[:, np.stack([place[drawn], (place[drawn] + 1) % 4]), quad[drawn]]
     edges = Edges(edges=interleave(lines), edge_faces=faces_beside(winner, drawn, quad))
     inside = np.ones(ring.shape[1], dtype=bool)
-    return flat_surface(drawn_mesh, "lines", points, cells, local, inside, edges)
+    return replace(flat_surface(drawn_mesh, "lines", points, cells, local, inside, edges), two_sided=True)

@@ -43,6 +43,8 @@ class Surface:
         Number of shown cells around each edge, at most 255; only with darkness-coded edges.
     edge_faces : (2 E,) uint32
         Places in `faces` of two that meet at each edge, the same twice where there is but one.
+    two_sided : bool
+        Whether each quad is there twice, to be seen from both of its sides.
     """
 
     mode: str
@@ -55,6 +57,7 @@ class Surface:
     edges: Floats32
     edge_cells: Bytes
     edge_faces: UInt32s
+    two_sided: bool = False
 
     def arrays(self) -> dict[str, Any]:
         """All fields by name, not copied."""
@@ -160,8 +163,8 @@ class Curves:
         End points.
     points : (3 P,) float32
     edge_rows, point_rows : (E,), (P,) uint8
-        Edges of arcs by valence (0 for two and fewer, to 4 for six and more), 5 the base complex and all points,
-        from 6 on chords.
+        Of edges: arcs by valence (0 for two and fewer, to 4 for six and more), 5 the base complex, from 6 on
+        chords. Of points: 0 the nodes of arcs, 1 vertices of the base complex.
     edge_faint, point_faint : (E,), (P,) uint8
         1 where something else was chosen.
     """

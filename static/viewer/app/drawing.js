@@ -8,7 +8,7 @@ import { normalised } from "../state/vectors.js";
  * @typedef {import("../state/status.js").PartialStatus} PartialStatus
  *
  * @typedef {Partial<Update> & Pick<Update, "shown_cells" | "shown_faces">} Answer  of the core, or a preview
- * @typedef {Pick<Update, "surface" | "silhouette" | "see_through" | "irregular" | "arrows" | "marks">} Records
+ * @typedef {Pick<Update, "surface" | "silhouette" | "see_through" | "irregular" | "arrows" | "marks" | "curves">} Records
  */
 
 /**
@@ -128,8 +128,8 @@ export class Drawing {
   #take(answer, same = false) {
     const scene = this.#scene;
     const began = performance.now();
-    const { surface, silhouette, see_through, irregular, arrows, marks } = answer;
-    const came = { surface, silhouette, see_through, irregular, arrows, marks };
+    const { surface, silhouette, see_through, irregular, arrows, marks, curves } = answer;
+    const came = { surface, silhouette, see_through, irregular, arrows, marks, curves };
     for (const [kind, record] of Object.entries(came))
       if (record) this.#records = { ...this.#records, [kind]: record };
     if (answer.surface) scene.setSurface(answer.surface, same);
@@ -138,6 +138,7 @@ export class Drawing {
     if (answer.irregular) scene.setIrregular(answer.irregular);
     if (answer.arrows) scene.setOver("arrows", answer.arrows);
     if (answer.marks) scene.setOver("marks", answer.marks);
+    if (answer.curves) scene.setOver("curves", answer.curves);
     if (answer.colour !== undefined)
       scene.setCellColours(answer.colour?.map_position ?? null, answer.colour?.high_first ?? false);
     const upload = performance.now() - began;

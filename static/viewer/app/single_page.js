@@ -88,7 +88,8 @@ export class SinglePage {
   #scene() {
     const { store, facts, drawing, leaving } = this.#app;
     const { status } = store;
-    const { camera, colour, separation, silhouette, see_through, arrows, irregular, background } = status;
+    const { camera, colour, separation, silhouette, see_through, arrows, irregular, structure, background } =
+      status;
     const { centre, diagonal, frame, cells, outline } =
       /** @type {import("../state/facts.js").MeshSummary} */ (facts.get("summary"));
     const mode = leaving.lit ? /** @type {const} */ ("object_space_ao") : status.lighting.mode;
@@ -102,6 +103,7 @@ export class SinglePage {
         see_through,
         arrows,
         irregular,
+        structure,
         lighting,
         background,
       },
@@ -118,7 +120,7 @@ export class SinglePage {
     return posed(this.#app, poses, async (k) => {
       await scene.settled();
       const light = leaving.lit ? await scene.lighting.baked() : new Float32Array(0);
-      const { surface, silhouette, see_through, arrows, marks } = drawing.records;
+      const { surface, silhouette, see_through, arrows, marks, curves } = drawing.records;
       if (!surface) throw new Error("there is no picture to save");
       return {
         slice: slices[k] ?? null,
@@ -126,9 +128,10 @@ export class SinglePage {
         surface: compact(surface),
         openness: Uint8Array.from(light, (part) => Math.round(255 * part)),
         silhouette: status.silhouette > 0 && silhouette ? compact(plainQuads(silhouette)) : null,
-        see_through: status.see_through.cells !== "none" && see_through ? compact(see_through) : null,
+        see_through: see_through ? compact(see_through) : null,
         arrows: status.arrows.attribute !== "" && arrows ? { ...arrows, cells: new Uint32Array(0) } : null,
         marks: marks ?? null,
+        curves: curves ?? null,
       };
     });
   }
@@ -216,6 +219,7 @@ function plainQuads({ positions, normals }) {
     edges: new Float32Array(0),
     edge_cells: new Uint8Array(0),
     edge_faces: new Uint32Array(0),
+    two_sided: false,
   };
 }
 

@@ -1,4 +1,5 @@
 import { componentsOf } from "./components.js";
+import { CHOSEN, CROSSING, REST } from "./structure.js";
 
 /**
  * Colour maps as rows of [position, colour]; the first colour is that of the best cell. Between knots the colour runs
@@ -52,7 +53,8 @@ const KNOTS = {
  * `SHAPES`. Parts: of the schemes of Paul Tol (SRON/EPS/TN/09-002, 2021) and of Okabe and Ito (2008) eight that are farthest apart
  * to usual eyes and to those that lack a kind of cone; past the last it begins again. Groups: twelve, searched for on a grid of sRGB
  * so that the least distance in CIELAB is as large as can be to the same eyes (first six 24, all 17), light enough for dark lines to
- * be read on them (lightness from 58), and away from the grey of what is in no group.
+ * be read on them (lightness from 58), and away from the grey of what is in no group. Blocks: twelve light ones, searched for in the
+ * same way, each 30 in CIELAB from every other, since all of them may lie side by side.
  *
  * @type {Record<string, readonly string[]>}
  */
@@ -61,6 +63,10 @@ export const CATEGORIES = {
   group: [
     "#6688ee", "#ffcc66", "#aaeedd", "#44aa77", "#cc7733", "#bb77bb", "#00ccff", "#eeddaa", "#00eeff", "#88bb66", "#ccaacc", "#eeaaaa",
   ], // prettier-ignore
+  block: [
+    "#cceebb", "#ff99cc", "#33aaee", "#ee8877", "#22eeff", "#ddddff", "#99aa55", "#55bb88", "#88bbbb", "#ffdd88", "#aa99dd", "#ddbbaa",
+  ], // prettier-ignore
+  chosen: [...CHOSEN, CROSSING, REST],
   part: ["#77aadd", "#ee8866", "#bbcc33", "#ffaabb", "#4477aa", "#eedd88", "#d55e00", "#cc6677"],
 };
 

@@ -8,7 +8,7 @@
  * @property {{ args: [part?: string], answer: Partial<Description> }} describe
  * @property {{ args: [document: unknown], answer: Checked }} check
  * @property {{ args: [changed?: PartialStatus, lean?: boolean, whole?: boolean], answer: Update }} update
- * @property {{ args: [format: string, metrics?: readonly string[], attributes?: readonly string[] | null], answer: SavedCells }} save_cells
+ * @property {{ args: [format: string, metrics?: readonly string[], attributes?: readonly string[] | null, structure?: boolean], answer: SavedCells }} save_cells
  * @property {{ args: [form: string, about?: ReportAbout, pictures?: readonly ReportPicture[], criteria?: unknown, strict?: boolean], answer: Report }} report
  * @property {{ args: [unit?: string], answer: ReportPose[] }} report_poses
  * @property {{ args: [quantity: string], answer: Statistics }} quality
@@ -28,6 +28,12 @@
  * @property {{ args: [cell: number, normal: readonly number[], rule?: string], answer: number }} cut_to
  * @property {{ args: [face_tag: number], answer: number }} neighbour
  * @property {{ args: [finding: string], answer: Uint32Array }} finding_cells
+ * @property {{ args: [], answer: Traced }} trace
+ * @property {{ args: [labels?: boolean], answer: StructureFacts }} structure_facts
+ * @property {{ args: [table: string, variant?: string], answer: StructureTable }} structure_table
+ * @property {{ args: [table: string, variant?: string], answer: string }} structure_csv
+ * @property {{ args: [], answer: SheetPairs }} sheet_pairs
+ * @property {{ args: [kind: string, numbers: readonly number[], variant?: string], answer: Around | null }} structure_box
  *
  * @typedef {import("../state/answers.js").Summary} Summary
  * @typedef {import("../state/answers.js").Description} Description
@@ -49,6 +55,11 @@
  * @typedef {import("../state/answers.js").Inspection} Inspection
  * @typedef {import("../state/answers.js").CellValue} CellValue
  * @typedef {import("../state/answers.js").CellView} CellView
+ * @typedef {import("../state/answers.js").Traced} Traced
+ * @typedef {import("../state/answers.js").StructureFacts} StructureFacts
+ * @typedef {import("../state/answers.js").StructureTable} StructureTable
+ * @typedef {import("../state/answers.js").SheetPairs} SheetPairs
+ * @typedef {import("../state/answers.js").Around} Around
  * @typedef {import("../state/status.js").PartialStatus} PartialStatus
  */
 

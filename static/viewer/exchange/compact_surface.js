@@ -20,6 +20,7 @@ import { pointsAt, sharedPoints } from "./welded.js";
  * @property {Int32Array} edges two points each, as steps
  * @property {Uint8Array} edge_cells
  * @property {Uint32Array} edge_faces
+ * @property {boolean} two_sided
  */
 
 /** Vertices of a flat face. */
@@ -30,7 +31,8 @@ const ROUNDING = 4;
 
 /** @param {Surface} surface @returns {Compact} */
 export function compact(surface) {
-  const { mode, positions, normals, cells, inside, quads, faces, edges, edge_cells, edge_faces } = surface;
+  const { mode, positions, normals, cells, inside, quads, faces, edges, edge_cells, edge_faces, two_sided } =
+    surface;
   const every = quads ? 1 : FLAT;
   const { ids, points } = sharedPoints(positions, edges);
   const { told, turned } = quads ? { told: everyNormal(normals), turned: [] } : untold(normals, positions);
@@ -47,12 +49,13 @@ export function compact(surface) {
     edges: steps(ids.subarray(positions.length / 3)),
     edge_cells,
     edge_faces,
+    two_sided,
   };
 }
 
 /** @param {Compact} record @returns {Surface} */
 export function expanded(record) {
-  const { mode, points, quads, inside, edge_cells, edge_faces } = record;
+  const { mode, points, quads, inside, edge_cells, edge_faces, two_sided } = record;
   const every = quads ? 1 : FLAT;
   const positions = pointsAt(summed(record.corners), points);
   const count = positions.length / 3;
@@ -74,6 +77,7 @@ export function expanded(record) {
     edges: pointsAt(summed(record.edges), points),
     edge_cells,
     edge_faces,
+    two_sided,
   };
 }
 

@@ -19,6 +19,7 @@
  * @property {import("./compact_surface.js").Compact | null} see_through
  * @property {import("../geometry/records.js").Arrows | null} arrows
  * @property {import("../geometry/records.js").Marks | null} marks
+ * @property {import("../geometry/records.js").Curves | null} curves
  *
  * @typedef {object} Colouring
  * @property {string} id of the quantity; empty for sides and categories

@@ -13,6 +13,7 @@
  * @property {Float32Array} edges 6 per line
  * @property {Uint8Array} edge_cells 1 per line, or empty
  * @property {Uint32Array} edge_faces 2 per line: places in `faces` of those that meet there
+ * @property {boolean} two_sided whether each face is there twice, to be seen from both of its sides
  *
  * @typedef {object} Silhouette
  * @property {Float32Array} positions
@@ -30,6 +31,14 @@
  * @property {Uint8Array} paper_valence
  * @property {Uint8Array} paper_boundary interior ones stand first in every list
  * @property {Record<string, Record<string, number>>} counts of edges by "interior" and "boundary", and by valence
+ *
+ * @typedef {object} Curves of the structure, each with a row of styles (`colours/structure.js`)
+ * @property {Float32Array} edges 6 per line
+ * @property {Uint8Array} edge_rows
+ * @property {Uint8Array} edge_faint 1 where something else was chosen
+ * @property {Float32Array} points 3 per point
+ * @property {Uint8Array} point_rows
+ * @property {Uint8Array} point_faint
  *
  * @typedef {object} Arrows
  * @property {Float32Array} positions of the middles of faces, 3 each

@@ -11,6 +11,7 @@ import { Painter } from "./frame/painter.js";
 import { Pictures } from "./frame/pictures.js";
 import { Programs } from "./frame/programs.js";
 import { isSoftware } from "./frame/software.js";
+import { spreadOf } from "../state/structure.js";
 import { planeExtent } from "./layers/plane_extent.js";
 import { Pointing } from "./picking/pointing.js";
 import { Trackball } from "./camera/trackball.js";
@@ -154,6 +155,7 @@ export class Scene {
     this.setIrregular(null);
     this.setOver("arrows", null);
     this.setOver("marks", null);
+    this.setOver("curves", null);
     this.setCellColours(null);
     this.mark(null);
     this.#rig.covered = 0;
@@ -224,6 +226,7 @@ export class Scene {
     if (!this.#layers.look(status)) return;
     if (status.lighting?.mode) this.#lighting.mode = status.lighting.mode;
     if (status.arrows) this.#enclose(); // their length may have changed
+    if (status.structure && this.#rig.reach(spreadOf(status.structure))) this.#touch();
     this.#loop.invalidate();
   }
 

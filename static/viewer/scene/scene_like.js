@@ -1,5 +1,6 @@
 /**
- * @typedef {{ arrows: import("../geometry/records.js").Arrows, marks: import("../geometry/records.js").Marks }} Over
+ * @typedef {{ arrows: import("../geometry/records.js").Arrows, marks: import("../geometry/records.js").Marks,
+ *   curves: import("../geometry/records.js").Curves }} Over
  *
  * What the viewer knows of a scene, so that one which draws nothing can stand in for it.
  *

@@ -43,6 +43,7 @@ export class Shown {
     this.#scene.setSeeThrough(shot.see_through && expanded(shot.see_through));
     this.#scene.setOver("arrows", shot.arrows);
     this.#scene.setOver("marks", shot.marks);
+    this.#scene.setOver("curves", shot.curves);
   }
 
   /** @param {number} place in the list of colours */

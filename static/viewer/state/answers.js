@@ -127,6 +127,7 @@
  * @property {Irregular} [irregular]
  * @property {Arrows} [arrows]
  * @property {Marks} [marks]
+ * @property {Curves} [curves]
  * @property {Colour | null} [colour] null for sides
  *
  * @typedef {import("../geometry/records.js").Surface} Surface
@@ -134,6 +135,7 @@
  * @typedef {import("../geometry/records.js").Irregular} Irregular
  * @typedef {import("../geometry/records.js").Arrows} Arrows
  * @typedef {import("../geometry/records.js").Marks} Marks
+ * @typedef {import("../geometry/records.js").Curves} Curves
  * @typedef {Irregular["counts"]} IrregularCounts  number of irregular edges, interior and boundary, by valence
  *
  * @typedef {object} Colour
@@ -173,6 +175,7 @@
  * @property {Irregular} [irregular]
  * @property {Arrows} [arrows]
  * @property {Marks} [marks]
+ * @property {Curves} [curves]
  * @property {Colour | null} colour
  *
  * @typedef {object} BriefSummary
@@ -244,7 +247,69 @@
  * @property {string[]} pending metrics that wait for the mesh's mean volume
  * @property {Record<string, unknown>} attributes by name: a value, or a list of components
  * @property {number[]} neighbours six cells, -1 outside
+ * @property {CellStructure | null} structure what it is part of; null until it is traced
  * @property {"invalid" | "valid" | "undecided"} validity
+ *
+ * @typedef {object} CellStructure
+ * @property {number[]} sheets that cross it in its three directions; none where it is not traced
+ * @property {number[]} chords that pass it
+ * @property {number | null} block
+ *
+ * @typedef {object} Traced  how far the structure is
+ * @property {number} done parts
+ * @property {number} of
+ * @property {string | null} next part; null after the last
+ *
+ * @typedef {object} StructureFacts  as `hexalab structure --json` prints them
+ * @property {string} [skipped] what is not traced
+ * @property {GraphFacts} irregular
+ * @property {{ count: number, closed: number, self_intersecting: number, self_touching: number, one_sided: number }} sheets
+ * @property {{ count: number, closed: number, self_intersecting: number }} chords
+ * @property {BaseComplexFacts} base_complex
+ * @property {{ blocks: number }} interior_base_complex
+ * @property {string | null} class
+ * @property {number | null} irregular_vertex_share
+ * @property {Record<string, string>} [labels]
+ *
+ * @typedef {object} GraphFacts
+ * @property {number} nodes
+ * @property {number} nodes_inside
+ * @property {number} arcs
+ * @property {number} loops
+ * @property {Record<string, number>} arcs_by_valence
+ * @property {Record<string, number>} loops_by_valence
+ * @property {Record<string, number>} node_types
+ *
+ * @typedef {object} BaseComplexFacts
+ * @property {number} blocks
+ * @property {number} vertices
+ * @property {number} edges
+ * @property {number} edge_loops
+ * @property {number} faces
+ * @property {Record<string, number>} kinds
+ * @property {Record<string, number>} dims
+ * @property {number} separation_faces
+ * @property {number | null} cells_per_block
+ * @property {number} base_sheets
+ * @property {number} base_chords
+ *
+ * @typedef {object} StructureTable
+ * @property {number} rows
+ * @property {StructureColumn[]} columns
+ *
+ * @typedef {object} StructureColumn
+ * @property {string} id
+ * @property {Int32Array | Uint8Array} values
+ * @property {string[] | null} words what the values stand for
+ *
+ * @typedef {object} SheetPairs  which sheets meet
+ * @property {number} count of sheets
+ * @property {Int32Array} one
+ * @property {Int32Array} other
+ * @property {Int32Array} crossings
+ * @property {Int32Array} beside
+ *
+ * @typedef {{ centre: Point, size: number }} Around  a box, in drawing coordinates
  *
  * @typedef {object} CellValue  one value of a cell, as it is coloured by
  * @property {number} cell

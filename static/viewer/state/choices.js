@@ -32,6 +32,8 @@ const NAMES = {
     kind: "Cell kind",
     part: "Part",
     group: "Group",
+    block: "Block",
+    chosen: "What is chosen",
   },
   "colour.map": { parula: "Parula", viridis: "Viridis", jet: "Jet", red_blue: "Red-Blue" },
   "see_through.cells": {
@@ -41,8 +43,14 @@ const NAMES = {
     quality: "what the quality filter hides",
     parts: "hidden parts",
     groups: "hidden groups",
+    structure: "what is hidden by structure",
     picking: "what was hidden by hand",
   },
+  "filters.structure.keep": { inside: "cells in any of them", outside: "cells in none of them" },
+  "filters.structure.complex": { whole: "all irregular edges", interior: "those inside alone" },
+  "structure.kind": { none: "Off", arcs: "Arcs", sheets: "Sheets", chords: "Chords", blocks: "Blocks" },
+  "structure.form": { cells: "Cells", surfaces: "Surfaces" },
+  "structure.complex": { whole: "all irregular edges", interior: "those inside alone" },
   "irregular.palette": { standard: "standard", colour_blind: "for colour-blind eyes" },
   "lighting.mode": {
     object_space_ao: "AO, best",

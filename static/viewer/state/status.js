@@ -125,6 +125,7 @@
  *     readonly chosen: readonly number[],
  *     readonly form: "cells" | "surfaces",
  *     readonly complex: "whole" | "interior",
+ *     readonly boundary: boolean,
  *     readonly curves: boolean,
  *     readonly explode: number,
  *   },

@@ -53,6 +53,7 @@ test("A7 a flat surface comes back as it was", () => {
     edges: positions.slice(0, 60),
     edge_cells: Uint8Array.of(1, 2, 3),
     edge_faces: Uint32Array.of(0, 1, 2, 3),
+    two_sided: false,
   };
   assert.deepEqual(expanded(compact(surface)), surface);
 });
@@ -70,6 +71,7 @@ test("A7 a surface with shared vertices comes back as it was, and a triangle sta
     edges: new Float32Array(0),
     edge_cells: new Uint8Array(0),
     edge_faces: new Uint32Array(0),
+    two_sided: false,
   };
   assert.deepEqual(expanded(compact(surface)), surface);
 });
@@ -92,6 +94,7 @@ test("A7 normals of faces are found again; those that their corners don't tell a
     edges: new Float32Array(0),
     edge_cells: new Uint8Array(0),
     edge_faces: new Uint32Array(0),
+    two_sided: false,
   };
   const kept = compact(surface);
   assert.deepEqual([...kept.normals], [0, 32767, 0]);

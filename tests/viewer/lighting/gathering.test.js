@@ -83,6 +83,7 @@ test("V5: a flat face's corners gather inside the face, on its surface", () => {
     edges: new Float32Array(0),
     edge_cells: new Uint8Array(0),
     edge_faces: new Uint32Array(0),
+    two_sided: false,
   };
   const { words, box } = gatheringPoints(surface, null);
   const floats = new Float32Array(words.buffer);

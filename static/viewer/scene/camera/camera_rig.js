@@ -25,6 +25,8 @@ export class CameraRig {
   fit = true;
   /** What it is fitted to: points that stand for the mesh, 3 coordinates each. @type {ArrayLike<number>} */
   body = cornersOf(UNIT);
+  /** How much larger than the body what is drawn of it may be. */
+  #spread = 1;
   /** All that is drawn is within. @type {Box} */
   drawn = UNIT;
   target = new Vector3();
@@ -112,11 +114,19 @@ export class CameraRig {
   #aim() {
     if (!this.fit) return;
     const { body, aspect, covered, fieldOfView, projection, orientation } = this;
-    const asked = [aspect, covered, fieldOfView, projection, ...orientation];
+    const asked = [this.#spread, aspect, covered, fieldOfView, projection, ...orientation];
     if (this.#fitted.body !== body || asked.some((one, k) => one !== this.#fitted.asked[k]))
-      this.#fitted = { body, asked, ...this.around(body) };
+      this.#fitted = { body, asked, ...this.around(this.#spread === 1 ? body : scaled(body, this.#spread)) };
     this.target.fromArray(this.#fitted.target);
     this.distance = this.#fitted.distance;
+  }
+
+  /** Fits what is so many times as large as the body. @param {number} spread @returns {boolean} whether that moves it */
+  reach(spread) {
+    if (spread === this.#spread) return false;
+    this.#spread = spread;
+    this.#aim();
+    return this.fit;
   }
 
   /**
@@ -240,4 +250,9 @@ export class CameraRig {
     const direction = new Vector3(0, 0, -1).applyQuaternion(this.orientation);
     return { origin: through.addScaledVector(direction, -2), direction };
   }
+}
+
+/** @param {ArrayLike<number>} points @param {number} factor */
+function scaled(points, factor) {
+  return Float32Array.from(points, (part) => factor * part);
 }

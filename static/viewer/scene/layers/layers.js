@@ -3,10 +3,12 @@ import { MarksLayer } from "./marks_layer.js";
 import { around } from "../../geometry/box.js";
 import { CATEGORIES } from "../../colours/palettes.js";
 import { CellColours } from "./cell_colours.js";
+import { CurvesLayer } from "./curves_layer.js";
 import { Gizmo } from "../camera/gizmo.js";
 import { HighlightLayer } from "./highlight_layer.js";
 import { IrregularLayer } from "./irregular_layer.js";
 import { LinesLayer } from "./lines_layer.js";
+import { isApart } from "../../state/structure.js";
 import { fading } from "./lines_shader.js";
 import { OutlineLayer } from "./outline_layer.js";
 import { PlaneLayer } from "./plane_layer.js";
@@ -33,6 +35,7 @@ const LOOKS = /** @type {const} */ ([
   "see_through",
   "arrows",
   "irregular",
+  "structure",
   "lighting",
   "background",
 ]);
@@ -48,6 +51,7 @@ export class Layers {
   irregular = new IrregularLayer();
   arrows = new ArrowsLayer();
   marks = new MarksLayer();
+  curves = new CurvesLayer();
   plane = new PlaneLayer();
   highlight = new HighlightLayer();
   outline = new OutlineLayer();
@@ -66,7 +70,13 @@ export class Layers {
     this.#painter = painter;
     painter.backdrop.add(this.silhouette.group);
     painter.model.add(this.surface.mesh);
-    painter.ink.add(this.arrows.group, this.edges.group, this.marks.group, this.irregular.group);
+    painter.ink.add(
+      this.arrows.group,
+      this.edges.group,
+      this.marks.group,
+      this.irregular.group,
+      this.curves.group,
+    );
     painter.overlay.add(this.plane.group, this.highlight.group, this.outline.group);
     painter.veil.add(this.seeThrough.group);
   }
@@ -129,14 +139,21 @@ export class Layers {
     if (irregular) {
       this.irregular.setPalette(irregular.palette ?? "standard");
       this.irregular.setMode(irregular.mode ?? 1, irregular.boundary ?? false);
+      this.curves.palette = irregular.palette ?? "standard";
+    }
+    if (status.structure) {
+      const apart = isApart(status.structure);
+      // Arcs are drawn as such; and what lies between blocks has no place while they are apart.
+      this.irregular.group.visible = status.structure.kind !== "arcs" && !apart;
+      this.marks.hidden = apart;
     }
     return true;
   }
 
   /** All that is drawn is within; null where nothing is. */
   get box() {
-    const { surface, silhouette, seeThrough, irregular, arrows, marks, plane, outline } = this;
-    const parts = [surface, silhouette, seeThrough, irregular, arrows, marks, plane, outline];
+    const { surface, silhouette, seeThrough, irregular, arrows, marks, curves, plane, outline } = this;
+    const parts = [surface, silhouette, seeThrough, irregular, arrows, marks, curves, plane, outline];
     return around(parts.map(({ box }) => box));
   }
 
@@ -171,13 +188,14 @@ export class Layers {
     }
     this.edges.group.visible = edged && !view.draft;
     this.surface.setDraft(view.draft, this.#draftInk(view));
-    this.surface.fronts = this.outward && view.outside;
+    this.surface.fronts = surface?.two_sided || (this.outward && view.outside);
     this.silhouette.draft = view.draft;
     for (const layer of [
       this.edges,
       this.irregular,
       this.arrows,
       this.marks,
+      this.curves,
       this.plane,
       this.highlight,
       this.outline,
@@ -216,7 +234,7 @@ export class Layers {
   }
 
   dispose() {
-    const { surface, edges, silhouette, irregular, arrows, marks } = this;
+    const { surface, edges, silhouette, irregular, arrows, marks, curves } = this;
     const { plane, highlight, outline, seeThrough, gizmo, colours } = this;
     for (const layer of [
       surface,
@@ -225,6 +243,7 @@ export class Layers {
       irregular,
       arrows,
       marks,
+      curves,
       plane,
       highlight,
       outline,

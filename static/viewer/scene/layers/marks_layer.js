@@ -56,6 +56,8 @@ void main() {
  */
 export class MarksLayer {
   group = new Group();
+  /** Whether none of it is drawn now. */
+  hidden = false;
   #edges = new LinesLayer([...MARK_STYLES]);
   #faces;
   #points;
@@ -101,7 +103,7 @@ export class MarksLayer {
 
   /** @param {Parameters<LinesLayer["view"]>[0] & { draft: boolean }} view */
   view(view) {
-    this.group.visible = !view.draft;
+    this.group.visible = !view.draft && !this.hidden;
     this.#edges.view(view);
     const { uniforms } = this.#points.material;
     uniforms.size.value = POINT * view.pixelRatio;

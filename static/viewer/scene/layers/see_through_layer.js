@@ -60,8 +60,6 @@ export class SeeThroughLayer {
   #meshes;
   #opacity = { value: 0.2 };
   #lines;
-  /** @type {import("../../state/status.js").Status["see_through"]["cells"]} */
-  #cells = "none";
 
   /** @param {import("./surface_layer.js").SurfaceLayer["uniforms"]} uniforms of the surface: the same colours */
   constructor(uniforms) {
@@ -111,14 +109,13 @@ export class SeeThroughLayer {
   }
 
   /** @param {NonNullable<import("../types.js").SceneStatus["see_through"]>} wanted */
-  look({ cells = this.#cells, opacity = this.#opacity.value }) {
-    this.#cells = cells;
+  look({ opacity = this.#opacity.value }) {
     this.#opacity.value = this.#lines.opacity = opacity;
     this.#show();
   }
 
   #show() {
-    this.group.visible = this.#cells !== "none" && this.#opacity.value > 0 && this.#faces > 0;
+    this.group.visible = this.#opacity.value > 0 && this.#faces > 0;
     this.#lines.group.visible = this.#lines.count > 0;
   }
 
