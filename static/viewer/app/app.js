@@ -22,6 +22,7 @@ import { Reports } from "./reports.js";
 import { Saving } from "./saving.js";
 import { StartWatch } from "./start_watch.js";
 import { Steps } from "./steps.js";
+import { Structured } from "./structured.js";
 import { Turntable } from "./turntable.js";
 import { Views } from "./views.js";
 import { Superseded } from "../core/client.js";
@@ -71,6 +72,7 @@ export class App {
     this.documents = new Documents(this);
     this.cells = new Cells(this);
     this.grouped = new Grouped(this);
+    this.structured = new Structured(this);
     this.saving = new Saving(this);
     this.fetching = new Fetching(this);
     this.opening = new Opening(this);

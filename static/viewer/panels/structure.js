@@ -1,9 +1,14 @@
 import { VALENCE_STYLES } from "../colours/valence.js";
 import { IRREGULAR_STEPS, optionsOf, rangeOf } from "../state/choices.js";
-import { count } from "../state/numbers.js";
+import { count, counted } from "../state/numbers.js";
 import { watch } from "../widgets/bind.js";
 import { h } from "../widgets/dom.js";
 import { meshFacts } from "./mesh_facts.js";
+import { structureControls } from "./structure_controls.js";
+import { structureFacts } from "./structure_facts.js";
+import { structureFigures } from "./structure_figures.js";
+import { structureMatrix } from "./structure_matrix.js";
+import { structureTable } from "./structure_table.js";
 
 /** @typedef {import("../widgets/bind.js").Context} Context */
 
@@ -41,10 +46,15 @@ function total(valences, test) {
 export const structure = {
   id: "structure",
   title: "Structure",
-  digestOf: { facts: ["description", "irregular"] },
+  digestOf: { facts: ["description", "irregular", "structure"] },
   digest: (context) => {
     const counts = countsOf(context);
-    return counts ? `${count(total(counts.interior, () => true))} irregular edges` : "";
+    const structure = context.facts.get("structure");
+    const traced = structure
+      ? [counted(structure.sheets.count, "sheet"), counted(structure.base_complex.blocks, "block")]
+      : [];
+    const edges = counts ? [`${count(total(counts.interior, () => true))} irregular edges`] : [];
+    return [...edges, ...traced].join(", ");
   },
   controls: [
     {
@@ -83,6 +93,11 @@ export const structure = {
       options: optionsOf("irregular.palette"),
     },
     { kind: "custom", render: legend },
+    { kind: "custom", render: structureFigures },
+    { kind: "custom", render: structureTable },
+    ...structureControls,
+    { kind: "custom", render: structureMatrix },
+    { kind: "custom", render: structureFacts },
     { kind: "custom", render: meshFacts },
   ],
 };

@@ -47,6 +47,8 @@ import { ROWS } from "./numbering.js";
  * @property {import("./numbering.js").Numbering} numbering of the cells, by the file
  * @property {Readonly<Record<string, import("./answers.js").GroupMeasures>> | null} groupMeasures by id, once they were asked for
  * @property {{ origin: string, rows: readonly import("./answers.js").Interface[] } | null} interfaces between groups of an origin
+ * @property {import("./answers.js").Traced | null} tracing how far the structure is, while it is traced
+ * @property {import("./answers.js").StructureFacts | null} structure once it is traced
  * @property {{ cells: number, faces: number } | null} shown
  * @property {import("./answers.js").Colour | null} colour
  * @property {number | null} layers of cells from the boundary inwards
@@ -67,7 +69,7 @@ import { ROWS } from "./numbering.js";
 
 /** What is known of a mesh before anything is, and the tool at hand: another mesh starts with these. */
 export const NEW_MESH = Object.freeze(
-  /** @type {Pick<FactTable, "tool" | "source" | "entry" | "address" | "offered" | "summary" | "description" | "statistics" | "histogram" | "worst" | "irregular" | "arrows" | "marks" | "numbering" | "groupMeasures" | "interfaces" | "shown" | "colour" | "layers" | "cell" | "flown" | "hover" | "plane" | "planeRanges">} */ ({
+  /** @type {Pick<FactTable, "tool" | "source" | "entry" | "address" | "offered" | "summary" | "description" | "statistics" | "histogram" | "worst" | "irregular" | "arrows" | "marks" | "numbering" | "groupMeasures" | "interfaces" | "tracing" | "structure" | "shown" | "colour" | "layers" | "cell" | "flown" | "hover" | "plane" | "planeRanges">} */ ({
     tool: "turn",
     source: null,
     entry: null,
@@ -84,6 +86,8 @@ export const NEW_MESH = Object.freeze(
     numbering: ROWS,
     groupMeasures: null,
     interfaces: null,
+    tracing: null,
+    structure: null,
     shown: null,
     colour: null,
     layers: null,

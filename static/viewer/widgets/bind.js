@@ -24,6 +24,7 @@
  * @property {(kind: "cell" | "vertex", number: number) => Promise<boolean>} goTo by the file's number; tells whether one is there
  * @property {(cells: readonly number[], form: string, name: string) => Promise<string | null>} listCells as a text for other programs
  * @property {{ measure: () => Promise<void>, meet: (origin: string) => Promise<void> }} grouped
+ * @property {Structured} structured
  * @property {() => Promise<void>} saveWorst
  * @property {() => Promise<void>} saveValues
  * @property {(tool: import("../state/facts.js").PickingTool, cell: number) => void} pick
@@ -42,6 +43,18 @@
  * @property {{ run: (entries: import("../files/zip.js").Entry[], options: Size & Run & { figures: boolean }) => Promise<{ zip: Blob, failed: { name: string, problem: string }[] }> }} batch
  * @property {{ toggle: () => unknown }} keeping offline, the open mesh
  * @property {import("../scene/scene_like.js").SceneLike} scene
+ *
+ * @typedef {import("../state/structure.js").Kind} Kind
+ * @typedef {import("../state/answers.js").StructureTable} StructureTable
+ *
+ * @typedef {object} Structured  the structure of the open mesh
+ * @property {() => Promise<boolean>} trace whether it is traced then
+ * @property {(kind: Kind | "nodes") => Promise<StructureTable | null>} table
+ * @property {(kind: Kind) => Promise<string | null>} csv
+ * @property {() => Promise<import("../state/answers.js").StructureFacts | null>} facts with hashes of all labels
+ * @property {() => Promise<import("../state/answers.js").SheetPairs | null>} pairs
+ * @property {(kind: Kind, numbers: readonly number[]) => Promise<void>} flyTo
+ * @property {(kind: Kind, numbers: readonly number[], keep: "inside" | "outside") => void} filter
  *
  * @typedef {"png" | "svg" | "pdf" | "csv"} ChartFormat
  * @typedef {{ width: number, height: number }} Size  in pixels
