@@ -25,6 +25,7 @@ SHEETS = {
         "viewer/widgets/section", "viewer/widgets/row", "viewer/widgets/folding", "viewer/widgets/checkbox",
         "viewer/widgets/fields", "viewer/widgets/slider", "viewer/widgets/button", "viewer/widgets/link",
         "viewer/widgets/icon", "viewer/widgets/swatch", "viewer/widgets/table",
+        "viewer/widgets/data_table", "viewer/widgets/pair_matrix",
         "viewer/panels/mesh", "viewer/panels/catalogue", "viewer/panels/findings", "viewer/panels/structure",
         "viewer/panels/histogram", "viewer/panels/quality", "viewer/panels/arrows", "viewer/panels/groups",
         "viewer/panels/inspector",

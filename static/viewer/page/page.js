@@ -7,6 +7,7 @@ import { mesh } from "../panels/mesh.js";
 import { quality } from "../panels/quality.js";
 import { structure } from "../panels/structure.js";
 import { surroundings } from "../panels/surroundings.js";
+import { followPixelRatio } from "../widgets/pixel_ratio.js";
 import { renderSection } from "../widgets/section.js";
 import { bar } from "./bar.js";
 import { tellChanges } from "./changes_told.js";
@@ -80,18 +81,6 @@ function followSize({ app }, canvas) {
   new ResizeObserver(resize).observe(canvas);
   window.addEventListener("resize", resize);
   followPixelRatio(resize);
-}
-
-/** A change of the pixel ratio alone, as when a window goes to another screen, changes no size. @param {() => void} changed */
-function followPixelRatio(changed) {
-  matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener(
-    "change",
-    () => {
-      changed();
-      followPixelRatio(changed);
-    },
-    { once: true },
-  );
 }
 
 /** The picture takes the focus when it is clicked; it shows that only to those who work by keyboard. */
