@@ -11,6 +11,7 @@ from hexalab.formats import FORMATS, WRITERS
 from hexalab.quality import METRICS
 from hexalab.session import DESCRIBED
 from hexalab.status import CORE_PATHS, DEFAULTS, SCHEMA
+from hexalab.structure.quantities import QUANTITIES
 from hexalab.summary import STATISTICS
 
 Ends = list[float | None]
@@ -49,6 +50,13 @@ class WriterEntry(TypedDict):
     extension: str
 
 
+class TracedEntry(TypedDict):
+    """What the viewer knows of a number per cell that comes out of the structure."""
+
+    id: str
+    name: str
+
+
 class ListFormEntry(TypedDict):
     """What the viewer knows of a form that cells are copied in."""
 
@@ -72,6 +80,7 @@ class ViewerTables(TypedDict):
     described: tuple[str, ...]
     statistics: tuple[str, ...]
     metrics: list[MetricEntry]
+    traced: list[TracedEntry]
     formats: list[FormatEntry]
     writers: list[WriterEntry]
     list_forms: list[ListFormEntry]
@@ -105,6 +114,7 @@ def viewer_tables() -> ViewerTables:
             }
             for metric in METRICS.values()
         ],
+        "traced": [{"id": id, "name": one.name} for id, one in QUANTITIES.items()],
         "formats": [{"id": one.id, "name": one.name, "extensions": list(one.extensions)} for one in FORMATS],
         "writers": [{"id": one.id, "name": one.name, "extension": one.extension} for one in WRITERS],
         "list_forms": [{"id": one.id, "name": one.name} for one in LIST_FORMS],

@@ -1,4 +1,5 @@
 import { categoryColour, mapColours } from "../colours/palettes.js";
+import { chosenKeys } from "../state/structure.js";
 import { composed, textOf } from "../figure/compose.js";
 import { FAMILY, INK } from "../figure/legend.js";
 import { keysOf } from "../figure/keys.js";
@@ -220,6 +221,9 @@ export class Figures {
         ],
       };
     if (colour.by === "group") return { title: this.#groupTitle(), colours: this.#groupColours() };
+    if (colour.by === "block") return null; // too many, and none has a name
+    if (colour.by === "chosen")
+      return { title: figure.legend_title, colours: chosenKeys(store.status.structure) };
     if (colour.by === "kind" || colour.by === "part")
       return { title: figure.legend_title, colours: this.#categories(colour.by) };
     const quantity = quantityOf(this.#app);

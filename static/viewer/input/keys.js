@@ -137,7 +137,9 @@ export const KEYS = [
     keys: ["c"],
     what: "Colour: sides, quality, kind",
     press: ({ store, tables }) => {
-      const ways = tables.choices["colour.by"].filter((by) => !["attribute", "part", "group"].includes(by)); // which the mesh may lack
+      const ways = tables.choices["colour.by"].filter(
+        (by) => !["attribute", "part", "group", "block", "chosen"].includes(by),
+      ); // which the mesh may lack
       store.set({ colour: { by: next(ways, store.status.colour.by) } });
     },
   },

@@ -2,6 +2,7 @@ import { categoryColour } from "../colours/palettes.js";
 import { optionsOf } from "../state/choices.js";
 import { byOrigin, groupingOf, groupKeys, groupName, groupsOf, originName } from "../state/groups.js";
 import { count, typed } from "../state/numbers.js";
+import { chosenKeys } from "../state/structure.js";
 import { watch } from "../widgets/bind.js";
 import { wholeNumber } from "../widgets/controls.js";
 import { h } from "../widgets/dom.js";
@@ -46,6 +47,8 @@ const hasAttributes = (context) =>
 /** Whether the mesh has what a way of colouring shows. @param {Context} context @param {Status["colour"]["by"]} way */
 function hasWhat(context, way) {
   if (way === "attribute") return hasAttributes(context);
+  if (way === "chosen")
+    return colouredBy(context) === "chosen" || chosenKeys(context.store.status.structure).length > 0;
   if (way === "group") return colouredBy(context) === "group" || byOrigin(groupsOf(context.facts)).size > 0;
   return true;
 }
@@ -73,6 +76,7 @@ export const drawing = {
       label: "Colour",
       hint: "What the faces are coloured by (C)",
       path: "colour.by",
+      status: ["structure"],
       facts: ["summary", "description"],
       options: (context) => waysOf(context).filter(({ value }) => hasWhat(context, value)),
       write: (by, { facts, store }) => {
@@ -100,6 +104,7 @@ export const drawing = {
       hidden: (context) => colouredBy(context) !== "group",
     },
     { kind: "custom", render: groupLegend },
+    { kind: "custom", render: chosenLegend },
     {
       kind: "colours",
       label: "",
@@ -230,13 +235,24 @@ function groupLegend(context) {
   return element;
 }
 
-/** @param {string} colour @param {string} name @param {number} number of cells */
+/** Which colour is which sheet, chord or block of those that were chosen. @param {Context} context */
+function chosenLegend(context) {
+  const element = h("ul", { class: "categories", "aria-label": "Colours of what is chosen" });
+  watch(context, { status: ["colour.by", "structure"] }, () => {
+    const keys = colouredBy(context) === "chosen" ? chosenKeys(context.store.status.structure) : [];
+    element.hidden = !keys.length;
+    element.replaceChildren(...keys.map(({ colour, name }) => legendRow(colour, name)));
+  });
+  return element;
+}
+
+/** @param {string} colour @param {string} name @param {number} [number] of cells */
 function legendRow(colour, name, number) {
   return h(
     "li",
     {},
     swatch(colour),
     h("span", { class: "category-name", title: name }, name),
-    h("span", { class: "category-count" }, count(number)),
+    number === undefined ? null : h("span", { class: "category-count" }, count(number)),
   );
 }

@@ -3,6 +3,7 @@ import { count } from "../state/numbers.js";
 import { pickingControls } from "./picking.js";
 import { qualityFilterControls } from "./quality_filter.js";
 import { sliceControls } from "./slice.js";
+import { structureFilter } from "./structure_filter.js";
 
 /** @typedef {import("../widgets/bind.js").Context} Context */
 
@@ -41,6 +42,7 @@ export const filters = {
       digits: 0,
     },
     ...qualityFilterControls,
+    { kind: "custom", render: structureFilter },
     {
       kind: "slider",
       id: "regularise",

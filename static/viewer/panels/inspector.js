@@ -5,6 +5,7 @@ import { measured, titled, unitOf } from "../state/units.js";
 import { watch } from "../widgets/bind.js";
 import { h } from "../widgets/dom.js";
 import { icon } from "../widgets/icons.js";
+import { structureOfCell } from "./cell_structure.js";
 
 /** @typedef {import("../widgets/bind.js").Context} Context @typedef {import("../state/answers.js").Inspection} Inspection */
 
@@ -71,6 +72,7 @@ function parts(context, cell) {
       ),
     ),
     cell.groups.length ? groupsOfCell(context, cell) : null,
+    structureOfCell(context, cell),
     table("Quality", metrics),
     attributes.length ? table("Attributes", attributes) : null,
     cornersTable(cell, unitOf(store.status, 1)),

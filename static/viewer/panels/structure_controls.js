@@ -1,6 +1,6 @@
 import { saveFile } from "../app/saving.js";
 import { optionsOf, rangeOf } from "../state/choices.js";
-import { choose, inWords } from "../state/structure.js";
+import { choose } from "../state/structure.js";
 
 /**
  * @typedef {import("../widgets/bind.js").Context} Context @typedef {import("../widgets/bind.js").Control} Control
@@ -148,16 +148,6 @@ export const structureControls = [
   },
 ];
 
-/** What the filter by structure does now, where it hides anything. @type {Control} */
-export const structureFilter = {
-  kind: "toggle",
-  id: "structure-filter",
-  label: "Structure",
-  path: "filters.structure.enabled",
-  status: ["filters.structure"],
-  hidden: ({ store }) => !filterInWords(store.status.filters.structure),
-};
-
 /** @param {Context} context */
 function filterable(context) {
   const { kind, chosen } = lookOf(context);
@@ -168,14 +158,6 @@ function filterable(context) {
 function filter({ app, store }, keep) {
   const { kind, chosen } = store.status.structure;
   if (kind !== "none") app.structured.filter(kind, chosen, keep);
-}
-
-/** "only block 3", "without sheets 1 and 2"; empty where it hides nothing. @param {import("../state/status.js").Status["filters"]["structure"]} filter */
-export function filterInWords(filter) {
-  const kinds = /** @type {const} */ (["blocks", "sheets", "chords"]).filter((kind) => filter[kind].length);
-  if (!kinds.length) return "";
-  const words = kinds.map((kind) => inWords(kind, filter[kind])).join(" and ");
-  return `${filter.keep === "inside" ? "only" : "without"} ${words}`;
 }
 
 /** @param {Context} context */

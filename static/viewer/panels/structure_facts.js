@@ -7,7 +7,7 @@ import { h } from "../widgets/dom.js";
 /** What is told of the whole: name, and how it follows from the facts; null where there is nothing to tell. @type {readonly [name: string, tell: (facts: StructureFacts) => string | null][]} */
 const ROWS = [
   ["Class", (facts) => facts.class],
-  ["Cells per block", ({ base_complex: base }) => base.cells_per_block && decimal(base.cells_per_block)],
+  ["Cells per block", ({ base_complex: { cells_per_block: cells } }) => (cells ? decimal(cells) : null)],
   ["Blocks by the inside alone", (facts) => count(facts.interior_base_complex.blocks)],
   [
     "Base complex",
@@ -22,7 +22,8 @@ const ROWS = [
   ["Base chords", ({ base_complex: base }) => count(base.base_chords)],
   [
     "Irregular vertices",
-    ({ irregular_vertex_share: share }) => (share === null ? null : `${decimal(100 * share)} % of those inside`),
+    ({ irregular_vertex_share: share }) =>
+      share === null ? null : `${decimal(100 * share)} % of those inside`,
   ],
 ];
 
@@ -36,14 +37,31 @@ const MOST = 12;
  */
 export function structureFacts(context) {
   const list = h("dl", { class: "facts" });
-  const nodes = tally("Nodes by type", "Type", "i: inside, b: on the boundary; and the valences of the irregular edges that meet there");
-  const sizes = tally("Blocks by size", "Size", "Cells along the three edges of a box; of a ring in brackets its length");
-  const element = h("details", { class: "more", id: "structure-facts" }, h("summary", { class: "more-head" }, "In numbers"), list, nodes.element, sizes.element);
+  const nodes = tally(
+    "Nodes by type",
+    "Type",
+    "i: inside, b: on the boundary; and the valences of the irregular edges that meet there",
+  );
+  const sizes = tally(
+    "Blocks by size",
+    "Size",
+    "Cells along the three edges of a box; of a ring in brackets its length",
+  );
+  const element = h(
+    "details",
+    { class: "more", id: "structure-facts" },
+    h("summary", { class: "more-head" }, "In numbers"),
+    list,
+    nodes.element,
+    sizes.element,
+  );
   watch(context, { facts: ["structure"] }, () => {
     const facts = context.facts.get("structure");
     element.hidden = !facts;
     if (!facts) return;
-    const rows = ROWS.map(([name, tell]) => /** @type {const} */ ([name, tell(facts)])).filter(([, text]) => text);
+    const rows = ROWS.map(([name, tell]) => /** @type {const} */ ([name, tell(facts)])).filter(
+      ([, text]) => text,
+    );
     list.replaceChildren(...rows.flatMap(([name, text]) => [h("dt", {}, name), h("dd", {}, text)]));
     nodes.show(facts.irregular.node_types);
     sizes.show(facts.base_complex.dims);
@@ -59,7 +77,11 @@ function tally(caption, head, hint) {
     "table",
     { class: "table" },
     h("caption", {}, caption),
-    h("thead", {}, h("tr", {}, h("th", { scope: "col", title: hint }, head), h("th", { scope: "col" }, "Number"))),
+    h(
+      "thead",
+      {},
+      h("tr", {}, h("th", { scope: "col", title: hint }, head), h("th", { scope: "col" }, "Number")),
+    ),
     body,
   );
   const element = h("div", {}, table, rest);
@@ -70,7 +92,9 @@ function tally(caption, head, hint) {
     body.replaceChildren(
       ...rows
         .slice(0, MOST)
-        .map(([name, number]) => h("tr", {}, h("th", { scope: "row" }, name.replaceAll("x", " × ")), h("td", {}, count(number)))),
+        .map(([name, number]) =>
+          h("tr", {}, h("th", { scope: "row" }, name.replaceAll("x", " × ")), h("td", {}, count(number))),
+        ),
     );
     rest.textContent = rows.length > MOST ? `and ${count(rows.length - MOST)} more` : "";
   };

@@ -69,7 +69,11 @@ export function structureFigures(context) {
   const element = h(
     "div",
     { class: "structure-figures" },
-    h("div", { class: "figure-row", role: "group", "aria-label": "Structure" }, ...buttons.map((one) => one.button)),
+    h(
+      "div",
+      { class: "figure-row", role: "group", "aria-label": "Structure" },
+      ...buttons.map((one) => one.button),
+    ),
     bar,
     words,
     note,
@@ -77,7 +81,9 @@ export function structureFigures(context) {
   const wanted = () => {
     if (element.checkVisibility() || store.status.structure.kind !== "none") void app.structured.trace();
   };
-  new IntersectionObserver((seen) => seen.some(({ isIntersecting }) => isIntersecting) && wanted()).observe(element);
+  new IntersectionObserver((seen) => seen.some(({ isIntersecting }) => isIntersecting) && wanted()).observe(
+    element,
+  );
   watch(context, { facts: ["summary", "core", "tracing", "structure"], status: ["structure"] }, () => {
     const structure = facts.get("structure");
     const tracing = facts.get("tracing");

@@ -35,7 +35,8 @@ export function structureMatrix(context) {
     matrix.show(pairs);
     mark();
   };
-  const mark = () => matrix.mark(store.status.structure.kind === "sheets" ? store.status.structure.chosen : []);
+  const mark = () =>
+    matrix.mark(store.status.structure.kind === "sheets" ? store.status.structure.chosen : []);
   watch(context, { facts: ["structure"], status: ["structure"] }, () => {
     element.hidden = !facts.get("structure") || store.status.structure.kind !== "sheets";
     if (element.hidden) return;

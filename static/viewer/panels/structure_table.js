@@ -15,7 +15,10 @@ const COLUMNS = {
   from: { name: "From", hint: "Vertex at one end" },
   to: { name: "To", hint: "Vertex at the other end" },
   cells: { name: "Cells" },
-  crossings: { name: "Crossings", hint: "How often it crosses a cell: more often than it has cells where it crosses itself" },
+  crossings: {
+    name: "Crossings",
+    hint: "How often it crosses a cell: more often than it has cells where it crosses itself",
+  },
   kind: { name: "Kind" },
   one_sided: { name: "One-sided", hint: "Its edges can't be directed alike, as on a Möbius strip" },
   base_sheet: { name: "Base sheet", hint: "Sheets of one number run side by side through the same blocks" },
@@ -29,7 +32,14 @@ const COLUMNS = {
 /** @param {import("../state/answers.js").StructureColumn} column @returns {import("../widgets/table/columns.js").Column} */
 function columnOf({ id, values, words }) {
   const kind = words ? "word" : values instanceof Uint8Array ? "flag" : "number";
-  return { id, values, words: words ?? [], kind, ...COLUMNS[id], ...(PLAIN.has(id) ? { format: String } : {}) };
+  return {
+    id,
+    values,
+    words: words ?? [],
+    kind,
+    ...COLUMNS[id],
+    ...(PLAIN.has(id) ? { format: String } : {}),
+  };
 }
 
 /** Numbers that name something: written without marks between thousands. */
@@ -54,7 +64,7 @@ export function structureTable(context) {
   /** @type {unknown} */
   let shown = null;
   watch(context, { facts: ["structure"], status: ["structure"] }, async () => {
-    const { kind, chosen } = store.status.structure;
+    const { kind } = store.status.structure;
     const structure = facts.get("structure");
     element.hidden = !structure || kind === "none";
     if (!structure || kind === "none") return;
@@ -68,7 +78,6 @@ export function structureTable(context) {
     }
     table.mark(now.chosen);
     element.hidden = found.rows === 0;
-    void chosen;
   });
   return element;
 }

@@ -1,4 +1,4 @@
-import { metricOf } from "./tables.js";
+import { metricOf, tracedOf } from "./tables.js";
 import { unitOf } from "./units.js";
 
 /**
@@ -29,7 +29,7 @@ export function quantityOf({ store, facts, tables }) {
   const lengthPower = row?.length_power ?? 0; // of attributes nobody knows
   return {
     id,
-    name: row?.name ?? attributeName(facts.get("summary"), id),
+    name: row?.name ?? tracedOf(tables, id)?.name ?? attributeName(facts.get("summary"), id),
     symbol: row?.symbol ?? "",
     variant: row?.variant ?? "",
     attribute: !row,
@@ -64,7 +64,7 @@ function attributeName(summary, id) {
   return summary?.attributes?.find((one) => one.id === id)?.name ?? id;
 }
 
-/** Metrics, then the file's attributes, for a combo box. @param {Known} known */
+/** Metrics, the file's attributes, what comes out of the structure: for a combo box. @param {Known} known */
 export function quantityOptions({ facts, tables }) {
   const metrics = tables.metrics.map(({ id, name }) => ({ value: id, name, group: "Quality" }));
   const attributes = (facts.get("summary")?.attributes ?? []).map((one) => ({
@@ -72,9 +72,8 @@ export function quantityOptions({ facts, tables }) {
     name: one.name,
     group: one.on === "cell" ? "Of cells" : "Of points",
   }));
-  return attributes.length
-    ? [...metrics, ...attributes]
-    : metrics.map(({ value, name }) => ({ value, name }));
+  const traced = tables.traced.map(({ id, name }) => ({ value: id, name, group: "Structure" }));
+  return [...metrics, ...attributes, ...traced];
 }
 
 /** The partial status that makes a metric or attribute the one looked at. @param {string} id @param {Known} known @returns {import("./status.js").PartialStatus} */

@@ -1,3 +1,5 @@
+import { CROSSING, chosenColour } from "../colours/structure.js";
+
 /**
  * What of the structure is looked at (SPEC T), as pure steps on the status' section `structure`.
  *
@@ -58,4 +60,16 @@ export function inWords(kind, chosen) {
   if (chosen.length === 1) return `${one} ${chosen[0]}`;
   if (chosen.length === 2) return `${many} ${chosen[0]} and ${chosen[1]}`;
   return `${chosen.length} ${many}`;
+}
+
+/** Things that a legend names. */
+const MOST_KEYS = 6;
+
+/** What the colours of what was chosen mean. @param {Look} look @returns {{ name: string, colour: string }[]} */
+export function chosenKeys({ kind, chosen }) {
+  if (kind === "none" || kind === "arcs") return [];
+  const keys = chosen
+    .slice(0, MOST_KEYS)
+    .map((number, place) => ({ name: `${NAMES[kind][0]} ${number}`, colour: chosenColour(place) }));
+  return kind !== "blocks" && chosen.length > 1 ? [...keys, { name: "in several", colour: CROSSING }] : keys;
 }

@@ -29,6 +29,7 @@
  * @property {readonly string[]} described parts of a mesh's description, the quick ones first
  * @property {readonly NumberName[]} statistics names of those that the catalogue holds
  * @property {readonly MetricRow[]} metrics
+ * @property {readonly { id: string, name: string }[]} traced numbers per cell that come out of the structure
  * @property {readonly FormatRow[]} formats
  * @property {readonly WriterRow[]} writers
  * @property {readonly { id: string, name: string }[]} list_forms forms that cells are copied in
@@ -39,6 +40,11 @@ export function readTables(page) {
   const block = page.getElementById("core-tables");
   if (!block?.textContent) throw new Error("this page lacks its tables; build it with `hexalab build`");
   return JSON.parse(block.textContent);
+}
+
+/** A number per cell out of the structure. @param {Tables} tables @param {string} id */
+export function tracedOf(tables, id) {
+  return tables.traced.find((one) => one.id === id);
 }
 
 /** @param {Tables} tables @param {string} id */
