@@ -6,10 +6,9 @@ from types import SimpleNamespace
 
 import pytest
 
-from site_builder.model.facts import Facts
 from site_builder.pages.facets import FACETS
 from site_builder.pages.histogram import draw
-from site_builder.pages.words import number, structure_word
+from site_builder.pages.words import number
 
 
 def test_C2_a_bar_is_bad_only_if_all_its_values_are_zero_or_less() -> None:
@@ -44,6 +43,3 @@ def test_C2_words_at_their_bounds() -> None:
         "0.001",
         "4.900e−4",
     ]
-    for irregular, word in ((0, "regular"), (49, "semi-structured"), (50, "unstructured")):
-        facts = Facts(interior_edge_valence={4: 1000 - irregular, 5: irregular})
-        assert structure_word(facts) == word
