@@ -190,6 +190,7 @@ class Pages:
             highwire=metadata.highwire(source),
             show_cards=bool(pictured),
             connect=connections(source.meshes),
+            some_traced=any(mesh.facts.blocks is not None for mesh in source.meshes),
             some_unknown=any(mesh.facts.sj_min is None for mesh in source.meshes),
             json_ld=metadata.source_json_ld(self._catalogue, source),
         )
