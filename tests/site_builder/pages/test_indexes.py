@@ -80,9 +80,18 @@ def test_C2_the_search_index_is_small_and_complete(site):
         for code, facet in zip(row[9], index["facets"], strict=True):
             assert int(code) < len(facet["options"])
     names = {row[1]: row for row in index["meshes"]}
-    validity = [facet.id for facet in FACETS].index("validity")
-    assert index["facets"][validity]["options"][int(names["parts-turned"][9][validity])] == "invalid"
-    assert index["facets"][validity]["options"][int(names["second"][9][validity])] == "unknown"
+
+    def options(name):
+        return {
+            facet["id"]: facet["options"][int(code)]
+            for facet, code in zip(index["facets"], names[name][9], strict=True)
+        }
+
+    assert options("parts-turned")["validity"] == "invalid"
+    assert options("second")["validity"] == "unknown"
+    facets = ("irregular", "sheets", "crossing", "blocks")
+    assert [options("row")[facet] for facet in facets] == ["none", "few", "none", "one"]
+    assert [options("one-folder-first")[facet] for facet in facets] == ["untraced", *["unknown"] * 3]
     assert names["row"][11:] == [7, 1], (
         "of five cubes in a row: a sheet through each, two along the row, one block"
     )
