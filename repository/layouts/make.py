@@ -1,7 +1,7 @@
 """Layouts: sheets, singular vertices and base complexes that are rare elsewhere."""
 
 import numpy as np
-from making.flat import disc, rectangle
+from making.flat import disc, drop_unused, rectangle
 from making.nodes import SPHERES, SPHERES_OF_SIX, node
 from making.solid import extrude, moved, outward, sweep
 from making.writing import medit
@@ -75,7 +75,7 @@ def thick_torus(shift, long=40, round_=15, layers=2):
     kept = np.ones((long, round_), dtype=bool)
     kept[:3, :3] = False
     cells = [cells[0].reshape(-1, 8), *(one[kept] for one in cells[1:])]
-    return outward(np.concatenate(rings), np.concatenate(cells))
+    return outward(*drop_unused(np.concatenate(rings), np.concatenate(cells)))
 
 
 SOLIDS = {

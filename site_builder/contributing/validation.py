@@ -185,14 +185,15 @@ def _headline(errors: int, warnings: int, meshes: int) -> str:
 def _table(meshes: list[MeshEntry]) -> list[str]:
     rows = ["### Measurements", ""]
     rows.append(
-        "| mesh | cells | vertices | min SJ | mean SJ | irregular edges | structure | validity | size |"
+        "| mesh | cells | vertices | min SJ | mean SJ | irregular edges | sheets | blocks | class | validity | size |"
     )
-    rows.append("|---|--:|--:|--:|--:|--:|---|---|--:|")
+    rows.append("|---|--:|--:|--:|--:|--:|--:|--:|---|---|--:|")
     for mesh in meshes:
         facts = mesh.facts
         cells = [
             _md(mesh.id), count(facts.cells), count(facts.vertices), number(facts.sj_min), number(facts.sj_mean),
-            count(facts.irregular_edges), structure_word(facts), verdict(facts)[1], file_size(facts.bytes),
+            count(facts.irregular_edges), count(facts.sheets), count(facts.blocks), structure_word(facts),
+            verdict(facts)[1], file_size(facts.bytes),
         ]  # fmt: skip
         rows.append("| " + " | ".join(cells) + " |")
     findings = [(mesh, finding) for mesh in meshes for finding in mesh.facts.findings or []]

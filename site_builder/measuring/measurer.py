@@ -17,6 +17,7 @@ from hexalab.quality import histogram, quality
 from hexalab.quality.validity import certify
 from hexalab.session import Session
 from hexalab.session.opened import Opened
+from hexalab.structure import Structure, facts_of
 from hexalab.summary import summarise
 
 from ..model.facts import Binned, Facts, Validity
@@ -97,6 +98,7 @@ def measure(data: bytes, name: str) -> Facts:
         validity=_validity(mesh),
         histogram=_histogram(finite),
         notes=list(mesh.notes),
+        structure=facts_of(Structure(mesh)),
         **{key: _valences(key, value) for key, value in summary.items() if key not in OWN},
     )
 

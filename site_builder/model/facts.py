@@ -91,6 +91,8 @@ class Facts:
         Of the Scaled Jacobian.
     findings : list of Finding
         The worst first.
+    structure : dict
+        What `hexalab structure --json` tells (`hexalab.structure.facts.facts_of`).
     """
 
     bytes: int | None = None
@@ -121,6 +123,7 @@ class Facts:
     histogram: Binned | None = None
     findings: list[Finding] | None = None
     notes: list[str] | None = None
+    structure: dict[str, Any] | None = None
 
     @classmethod
     def from_dict(cls, values: Mapping[str, Any]) -> Facts:
@@ -152,6 +155,34 @@ class Facts:
     def interior_edges(self) -> int | None:
         """Edges inside the mesh."""
         return None if self.interior_edge_valence is None else sum(self.interior_edge_valence.values())
+
+    @property
+    def arcs(self) -> int | None:
+        """Arcs and loops of irregular interior edges."""
+        arcs, loops = self._traced("irregular", "arcs"), self._traced("irregular", "loops")
+        return None if arcs is None or loops is None else arcs + loops
+
+    @property
+    def sheets(self) -> int | None:
+        """Sheets."""
+        return self._traced("sheets", "count")
+
+    @property
+    def self_intersecting_sheets(self) -> int | None:
+        """Sheets that cross a cell more than once."""
+        return self._traced("sheets", "self_intersecting")
+
+    @property
+    def blocks(self) -> int | None:
+        """Blocks of the base complex."""
+        return self._traced("base_complex", "blocks")
+
+    def _traced(self, part: str, name: str) -> int | None:
+        """A figure of the structure; None if nobody traced it, or if there was no cell to trace it through."""
+        if not self.structure or not self.structure["base_complex"]["blocks"]:
+            return None
+        figure: int = self.structure[part][name]
+        return figure
 
     @property
     def invalid_cells(self) -> int | None:

@@ -48,9 +48,26 @@ def _validity(mesh: MeshEntry) -> int:
     return ["good", "positive", "invalid", "warning", ""].index(short_verdict(mesh.facts)[0])
 
 
-def _structure(mesh: MeshEntry) -> int:
-    irregular = mesh.facts.irregular_edges
-    return 2 if irregular is None else 1 if irregular else 0
+def _irregular(mesh: MeshEntry) -> int:
+    irregular, arcs = mesh.facts.irregular_edges, mesh.facts.arcs
+    if not irregular:
+        return 5 if irregular is None else 0
+    return 1 + _first([arcs < 10, arcs < 100]) if arcs else 4
+
+
+def _sheets(mesh: MeshEntry) -> int:
+    sheets = mesh.facts.sheets
+    return 3 if sheets is None else _first([sheets < 50, sheets < 200])
+
+
+def _self_intersecting(mesh: MeshEntry) -> int:
+    sheets = mesh.facts.self_intersecting_sheets
+    return 2 if sheets is None else 1 if sheets else 0
+
+
+def _blocks(mesh: MeshEntry) -> int:
+    blocks = mesh.facts.blocks
+    return 5 if blocks is None else _first([blocks < 2, blocks < 10, blocks < 100, blocks < 1_000])
 
 
 def _year(mesh: MeshEntry) -> int:
@@ -97,10 +114,42 @@ FACETS = (
         _validity,
     ),
     Facet(
-        "structure",
-        "Interior edges",
-        (("regular", "all regular"), ("irregular", "some irregular"), ("unknown", "not known")),
-        _structure,
+        "irregular",
+        "Irregular edges inside",
+        (
+            ("none", "none"),
+            ("few", "1 to 9 arcs"),
+            ("some", "10 to 99"),
+            ("many", "more"),
+            ("untraced", "some, not traced"),
+            ("unknown", "not known"),
+        ),
+        _irregular,
+    ),
+    Facet(
+        "sheets",
+        "Sheets",
+        (("few", "under 50"), ("some", "50 to 199"), ("many", "more"), ("unknown", "not known")),
+        _sheets,
+    ),
+    Facet(
+        "crossing",
+        "Self-intersecting sheets",
+        (("none", "none"), ("some", "some"), ("unknown", "not known")),
+        _self_intersecting,
+    ),
+    Facet(
+        "blocks",
+        "Blocks",
+        (
+            ("one", "one"),
+            ("few", "2 to 9"),
+            ("tens", "10 to 99"),
+            ("hundreds", "100 to 999"),
+            ("thousands", "more"),
+            ("unknown", "not known"),
+        ),
+        _blocks,
     ),
     Facet(
         "year",

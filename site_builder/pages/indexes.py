@@ -173,6 +173,8 @@ def search_json(catalogue: Catalogue, pictures: set[str]) -> str:
                     1 if mesh.picture_address in pictures else 0,
                     codes(mesh),
                     mesh.description,
+                    mesh.facts.sheets,
+                    mesh.facts.blocks,
                 ]
                 for mesh in catalogue.meshes
             ],

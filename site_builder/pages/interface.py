@@ -38,6 +38,7 @@ GROUPS = (
         ),
     ),
     ("Quality", ("quality", "quality_many", "METRICS", "Metric", "statistics", "histogram")),
+    ("Structure", ("structure", "Structure")),
     ("Validity and diagnosis", ("certify", "Validity", "diagnose", "Finding")),
     ("In a notebook", ("show",)),
 )

@@ -32,7 +32,8 @@ AUTHORS_NOTE = (
 FORMAT_NAMES = {ending: row.name for row in reversed(FORMATS) for ending in row.extensions}
 
 TECHNIQUE = (
-    "Metrics of the Verdict library; edges by the cells around them; validity certified by Bézier bounds"
+    "Metrics of the Verdict library; edges by the cells around them; sheets and base complex traced by vertex "
+    "numbers alone; validity certified by Bézier bounds"
 )
 
 JsonLd = dict[str, Any]
@@ -203,6 +204,9 @@ def _measured(mesh: MeshEntry) -> list[JsonLd]:
         ("number of cells", mesh.cells),
         ("number of vertices", facts.vertices),
         ("number of irregular interior edges", facts.irregular_edges),
+        ("number of arcs and loops of irregular interior edges", facts.arcs),
+        ("number of sheets", facts.sheets),
+        ("number of blocks of the base complex", facts.blocks),
         ("number of invalid cells", facts.invalid_cells),
     ]
     measured = [_property(name, value=value) for name, value in values if value is not None]

@@ -25,6 +25,7 @@ from .histogram import draw
 from .indexes import INDEX_VERSION
 from .keeping import connections, weight
 from .picture_pages import gallery_values, guide_values
+from .structure import figures, tallies
 
 FIRST = 24
 """Cards that the front page shows before anybody searches."""
@@ -60,9 +61,7 @@ class Pages:
         self._collection = collection or Collection(catalogue)
         self._citations: dict[str, dict[str, Markup]] = {}
         self._environment = environment()
-        self._environment.filters.update(
-            count=words.count, number=words.number, file_size=words.file_size, dictsort=sorted_items
-        )
+        self._environment.filters.update(count=words.count, number=words.number, file_size=words.file_size)
         self._environment.globals.update(
             catalogue=catalogue,
             published=not on_this_machine(catalogue.address),
@@ -134,7 +133,6 @@ class Pages:
             heading=f"About {self._catalogue.title}",
             description=self._catalogue.description or self._catalogue.title,
             index_version=INDEX_VERSION,
-            semi_structured=words.SEMI_STRUCTURED,
         )
 
     def offline(self) -> str:
@@ -192,6 +190,7 @@ class Pages:
             highwire=metadata.highwire(source),
             show_cards=bool(pictured),
             connect=connections(source.meshes),
+            some_traced=any(mesh.facts.blocks is not None for mesh in source.meshes),
             some_unknown=any(mesh.facts.sj_min is None for mesh in source.meshes),
             json_ld=metadata.source_json_ld(self._catalogue, source),
         )
@@ -210,6 +209,8 @@ class Pages:
             fact_rows=list(_fact_rows(mesh)),
             histogram=draw(mesh.facts.histogram) if mesh.facts.histogram else None,
             quality_rows=list(_quality_rows(mesh)),
+            figures=figures(mesh.facts),
+            tallies=tallies(mesh.facts),
             cite_mesh=self._cite_mesh(mesh),
             json_ld=metadata.mesh_json_ld(self._catalogue, mesh),
         )
@@ -240,11 +241,6 @@ class Pages:
         )
         found = (mesh.picture_address for mesh in meshes if mesh.picture_address in self._pictures)
         return next(found, "")
-
-
-def sorted_items(mapping: dict[Any, Any]) -> list[tuple[Any, Any]]:
-    """The items of a mapping by key, numbers as numbers."""
-    return sorted(mapping.items())
 
 
 def _fact_rows(mesh: MeshEntry) -> Iterator[tuple[str, str]]:

@@ -7,9 +7,6 @@ import math
 from ..model.facts import Facts
 
 NOT_KNOWN = "–"
-SEMI_STRUCTURED = 0.05
-"""Below this share of irregular interior edges a mesh is called semi-structured."""
-
 
 SHORT = {
     "good": "valid",
@@ -68,27 +65,25 @@ def plural(number_of: int, noun: str, nouns: str = "") -> str:
 
 
 def structure_word(facts: Facts) -> str:
-    """regular, semi-structured or unstructured; "" if the edges aren't known."""
-    irregular, edges = facts.irregular_edges, facts.interior_edges
-    if irregular is None or edges is None:
-        return ""
-    if not irregular:
-        return "regular"
-    return "semi-structured" if irregular < SEMI_STRUCTURED * edges else "unstructured"
+    """The exact class of a mesh that is traced as a whole, regular or polycube; "" if it has none."""
+    structure = facts.structure
+    return "" if structure is None or "skipped" in structure else structure["class"] or ""
 
 
 def structure_line(facts: Facts) -> str:
     """The structure in one sentence; "" if nothing is known of it."""
+    irregular, edges = facts.irregular_edges, facts.interior_edges
+    if irregular is None or edges is None:
+        return ""
+    if irregular:
+        return (
+            f"{count(irregular)} of {count(edges)} interior edges ({share(irregular, edges)}) are irregular, "
+            f"{_valences(facts.interior_edge_valence or {})}."
+        )
     word = structure_word(facts)
     if not word:
-        return ""
-    if word == "regular":
-        return "Regular: no irregular interior edge."
-    edges, irregular = facts.interior_edges or 0, facts.irregular_edges or 0
-    return (
-        f"{word.capitalize()}: {count(irregular)} of {count(edges)} interior edges "
-        f"({share(irregular, edges)}) are irregular, {_valences(facts.interior_edge_valence or {})}."
-    )
+        return "No interior edge is irregular."
+    return f"{word.capitalize()}: no interior edge is irregular, {plural(facts.blocks or 0, 'block')}."
 
 
 def _valences(valence: dict[int, int]) -> str:

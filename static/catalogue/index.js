@@ -21,6 +21,8 @@ import { compare } from "./sorting.js";
  * @property {number | null} mean
  * @property {number | null} high
  * @property {number | null} irregular number of irregular interior edges
+ * @property {number | null} sheets
+ * @property {number | null} blocks
  * @property {boolean} picture
  * @property {string} codes its option in each facet, a digit each
  * @property {string} text what a word is looked for in
@@ -47,11 +49,12 @@ export function readIndex(data) {
   });
   const rows = data.meshes.map((/** @type {any[]} */ row) => {
     const [number, slug, name, cells, low, mean, high, irregular, picture, codes, description = ""] = row;
+    const [sheets = null, blocks = null] = row.slice(11);
     const source = sources[number];
     const words = [name, description, source.title, source.authors, source.year, source.venue, source.doi];
     const text = plain(words.join(" "));
     return {
-      source, slug, name, cells, low, mean, high, irregular, codes,
+      source, slug, name, cells, low, mean, high, irregular, sheets, blocks, codes,
       picture: picture === 1,
       text,
       joined: joined(text),
@@ -163,6 +166,7 @@ const KEYS = {
   cells: (row) => row.cells,
   sj: (row) => row.low,
   irregular: (row) => row.irregular,
+  blocks: (row) => row.blocks,
 };
 
 /**

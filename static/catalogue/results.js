@@ -36,9 +36,9 @@ export function cards(rows, root) {
 export function table(rows, root) {
   const made = element("table", "meshes");
   const head = made.createTHead().insertRow();
-  const titles = ["Name", "Source", "Cells", "SJ min", "SJ mean", "Irregular edges", "Validity"];
-  for (const [place, title] of titles.entries()) {
-    const cell = element("th", place >= 2 && place <= 5 ? "number" : "", title);
+  const heads = [["Name"], ["Source"], ...NUMBERS.map(([title]) => [title, "number"]), ["Validity"]];
+  for (const [title, kind] of heads) {
+    const cell = element("th", kind, title);
     cell.scope = "col";
     head.append(cell);
   }
@@ -51,9 +51,7 @@ export function table(rows, root) {
     link.href = pageOf(row, root);
     name.append(link);
     line.append(name, element("td", "", row.source.short));
-    for (const text of [number(row.cells), decimal(row.low), decimal(row.mean), number(row.irregular)]) {
-      line.append(element("td", "number", text));
-    }
+    for (const [, text] of NUMBERS) line.append(element("td", "number", text(row)));
     const [state, word] = VALIDITY[Number(row.codes[3])];
     const cell = element("td");
     cell.append(element("span", `mark mark-${state}`, word));
@@ -65,6 +63,16 @@ export function table(rows, root) {
   scroll.append(made);
   return scroll;
 }
+
+/** The table's columns of numbers: title, and what stands in a row. @type {[string, (row: Row) => string][]} */
+const NUMBERS = [
+  ["Cells", (row) => number(row.cells)],
+  ["SJ min", (row) => decimal(row.low)],
+  ["SJ mean", (row) => decimal(row.mean)],
+  ["Irregular edges", (row) => number(row.irregular)],
+  ["Sheets", (row) => number(row.sheets)],
+  ["Blocks", (row) => number(row.blocks)],
+];
 
 /** The facet "validity", option by option: class of the mark and its word. */
 const VALIDITY = [

@@ -10,8 +10,10 @@ import pytest
 WORKED = (
     "quality.validity",
     "surface.fan",
+    "topology.classes",
     "topology.faces",
     "topology.matching",
+    "topology.pairs",
     "topology.slots",
 )
 """Modules that explain dense array code by an example."""

@@ -99,9 +99,12 @@ def complex_facts(structure: Structure) -> dict[str, Any]:
 
 
 def class_of(structure: Structure) -> str | None:
-    """The exact class of the mesh: `REGULAR`, `POLYCUBE`, or None, for which there are no published thresholds."""
+    """The exact class of the mesh, `REGULAR` or `POLYCUBE`; None for all others, and where some is not traced.
+
+    For the words that are used of other meshes there are no published thresholds.
+    """
     frame = structure.frame
-    if not frame.count or (frame.irregular & ~frame.edge_on_boundary).any():
+    if not frame.count or frame.skipped or (frame.irregular & ~frame.edge_on_boundary).any():
         return None
     return REGULAR if structure.base_complex.blocks.count == frame.topology.component_count else POLYCUBE
 

@@ -124,3 +124,18 @@ class Structure:
     def loops(self) -> list[Ids]:
         """The vertices of each loop of `graph` in order, the first one again at the end."""
         return self.graph.chains[self.graph.arcs :]
+
+
+def structure(mesh: Mesh) -> Structure:
+    """Trace the structure of a mesh; each part is found when it is first asked for.
+
+    Parameters
+    ----------
+    mesh : Mesh
+
+    Returns
+    -------
+    Structure
+        With the arrays `sheet_of_cells`, `chord_of_cells`, `block_of_cells`, and the lists `arcs` and `loops`.
+    """
+    return Structure(mesh)

@@ -18,7 +18,8 @@ def repeated_pairs(one: Ids, other: Ids) -> NDArray[np.intp]:
 
     Examples
     --------
-    >>> repeated_pairs(np.array([7, 3, 7, 7], np.int32), np.array([1, 1, 2, 1], np.int32)).tolist()
+    >>> one, other = np.array([7, 3, 7, 7], np.int32), np.array([1, 1, 2, 1], np.int32)
+    >>> repeated_pairs(one, other).tolist()
     [0]
     """
     bits = max(int(2 * len(one)).bit_length(), 4)
@@ -53,6 +54,12 @@ def counted_pairs(one: Array, other: Array, span: int) -> tuple[Ids, Ids, NDArra
     -------
     one, other : (P,) int32
     counts : (P,) int64
+
+    Examples
+    --------
+    >>> one, other, counts = counted_pairs(np.array([7, 3, 7, 7]), np.array([1, 1, 2, 1]), 3)
+    >>> one.tolist(), other.tolist(), counts.tolist()
+    ([3, 7, 7], [1, 1, 2], [1, 2, 1])
     """
     keys, counts = np.unique(one.astype(np.int64) * span + other, return_counts=True)
     return (keys // max(span, 1)).astype(np.int32), (keys % max(span, 1)).astype(np.int32), counts

@@ -61,6 +61,8 @@ def test_C6_a_contribution_is_refused_mended_accepted_and_shown(contribution, de
     assert report.ok, report.markdown
     assert "Accepted" in report.markdown
     assert "| doe-2025-hexes-everyone/three | 2 | 12 |" in report.markdown
+    assert "| irregular edges | sheets | blocks | class |" in report.markdown
+    assert "| 0 | 4 | 1 | regular |" in report.markdown
 
     out = tmp_path / "site"
     build(demo, out, strict=True, runtime=False)

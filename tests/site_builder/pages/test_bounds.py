@@ -6,10 +6,9 @@ from types import SimpleNamespace
 
 import pytest
 
-from site_builder.model.facts import Facts
 from site_builder.pages.facets import FACETS
 from site_builder.pages.histogram import draw
-from site_builder.pages.words import number, structure_word
+from site_builder.pages.words import number
 
 
 def test_C2_a_bar_is_bad_only_if_all_its_values_are_zero_or_less() -> None:
@@ -26,15 +25,55 @@ def test_C2_a_bar_is_bad_only_if_all_its_values_are_zero_or_less() -> None:
     [
         ("cells", {999: "s", 1000: "m", 9999: "m", 10_000: "l", 99_999: "l", 100_000: "xl", None: "unknown"}),
         ("jacobian", {0.6: "high", 0.5: "middle", 0.2: "low", 0.0: "negative", -1.0: "negative"}),
+        (
+            "blocks",
+            {
+                1: "one",
+                2: "few",
+                9: "few",
+                10: "tens",
+                99: "tens",
+                100: "hundreds",
+                999: "hundreds",
+                1000: "thousands",
+                None: "unknown",
+            },
+        ),
+        ("sheets", {49: "few", 50: "some", 199: "some", 200: "many", None: "unknown"}),
+        ("crossing", {0: "none", 1: "some", None: "unknown"}),
         ("year", {2015: "2015", 2016: "2018", 2018: "2018", 2019: "2021", 2021: "2021", 2022: "now"}),
     ],
 )
 def test_C1_each_bound_belongs_to_the_option_that_its_label_says(facet: str, values: dict) -> None:
     row = next(row for row in FACETS if row.id == facet)
     for value, option in values.items():
-        facts, source = SimpleNamespace(sj_min=value), SimpleNamespace(year=value)
+        facts = SimpleNamespace(sj_min=value, blocks=value, sheets=value, self_intersecting_sheets=value)
+        source = SimpleNamespace(year=value)
         mesh = SimpleNamespace(cells=value, facts=facts, source=source)
         assert row.options[row.choose(mesh)][0] == option, value
+
+
+@pytest.mark.parametrize(
+    ("edges", "arcs", "option"),
+    [
+        (None, None, "unknown"),
+        (0, None, "none"),
+        (0, 0, "none"),
+        (8, 1, "few"),
+        (90, 9, "few"),
+        (90, 10, "some"),
+        (990, 99, "some"),
+        (990, 100, "many"),
+        (8, None, "untraced"),
+        (8, 0, "untraced"),  # at cells that are no hexahedra
+    ],
+)
+def test_T6_irregular_edges_inside_count_by_their_arcs_where_these_are_known(
+    edges: int | None, arcs: int | None, option: str
+) -> None:
+    row = next(row for row in FACETS if row.id == "irregular")
+    mesh = SimpleNamespace(facts=SimpleNamespace(irregular_edges=edges, arcs=arcs))
+    assert row.options[row.choose(mesh)][0] == option
 
 
 def test_C2_words_at_their_bounds() -> None:
@@ -44,6 +83,3 @@ def test_C2_words_at_their_bounds() -> None:
         "0.001",
         "4.900e−4",
     ]
-    for irregular, word in ((0, "regular"), (49, "semi-structured"), (50, "unstructured")):
-        facts = Facts(interior_edge_valence={4: 1000 - irregular, 5: irregular})
-        assert structure_word(facts) == word

@@ -47,6 +47,9 @@ def test_C3_our_index_has_a_version_and_all_facts(site):
     assert mesh["facts"]["quality"]["scaled_jacobian"]["min"] == pytest.approx(1)
     assert mesh["facts"]["cells_per_depth"] == [2]
     assert mesh["facts"]["interior_edge_valence"] == {}
+    assert mesh["facts"]["structure"]["sheets"]["count"] == 4
+    assert mesh["facts"]["structure"]["base_complex"]["dims"] == {"1x1x2": 1}
+    assert "structure" not in index["sources"][1]["meshes"][0]["facts"]
     assert (site / mesh["page"] / "index.html").is_file()
     assert index["sources"][1]["reference"]["DOI"] == "10.5555/meshes.2021.7"
     assert "sj_min" not in index["sources"][1]["meshes"][1]["facts"]
@@ -72,14 +75,27 @@ def test_C2_the_search_index_is_small_and_complete(site):
     assert len(index["meshes"]) == 5
     assert [facet["id"] for facet in index["facets"]] == [facet.id for facet in FACETS]
     for row in index["meshes"]:
-        assert len(row) == 11
+        assert len(row) == 13
         assert len(row[9]) == len(FACETS)
         for code, facet in zip(row[9], index["facets"], strict=True):
             assert int(code) < len(facet["options"])
     names = {row[1]: row for row in index["meshes"]}
-    validity = [facet.id for facet in FACETS].index("validity")
-    assert index["facets"][validity]["options"][int(names["parts-turned"][9][validity])] == "invalid"
-    assert index["facets"][validity]["options"][int(names["second"][9][validity])] == "unknown"
+
+    def options(name):
+        return {
+            facet["id"]: facet["options"][int(code)]
+            for facet, code in zip(index["facets"], names[name][9], strict=True)
+        }
+
+    assert options("parts-turned")["validity"] == "invalid"
+    assert options("second")["validity"] == "unknown"
+    facets = ("irregular", "sheets", "crossing", "blocks")
+    assert [options("row")[facet] for facet in facets] == ["none", "few", "none", "one"]
+    assert [options("one-folder-first")[facet] for facet in facets] == ["untraced", *["unknown"] * 3]
+    assert names["row"][11:] == [7, 1], (
+        "of five cubes in a row: a sheet through each, two along the row, one block"
+    )
+    assert names["second"][11:] == [None, None]
 
 
 def test_C2_references_can_be_downloaded_one_by_one_and_together(site):

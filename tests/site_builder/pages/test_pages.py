@@ -194,6 +194,14 @@ def test_C2_a_mesh_page_has_its_facts(site):
     assert "invalid" in turned.text
 
 
+def test_T6_a_source_page_has_sheets_and_blocks_where_they_are_known(site):
+    found = pages(site)
+    small, far = (found[f"sources/{slug}/index.html"].text for slug in ("small", "far"))
+    assert "Irregular edgesSheetsBlocksValidity" in small
+    assert "Irregular edgesValidity" in far
+    assert re.search(r"A row\s+5\s+24\s+[\d.]+\s+[\d.]+\s+0\s+7\s+1\s+valid", small)
+
+
 def test_C2_what_is_not_known_is_not_guessed(site):
     page = pages(site)["sources/far/second/index.html"]
     assert "4,200" in page.text
@@ -256,6 +264,8 @@ def test_C3_a_mesh_says_what_was_measured(site):
     data = json_ld(pages(site)["sources/small/pair/index.html"])
     measured = {row["name"]: row for row in data["variableMeasured"]}
     assert measured["number of cells"]["value"] == 2
+    assert measured["number of sheets"]["value"] == 4
+    assert measured["number of blocks of the base complex"]["value"] == 1
     assert measured["Scaled Jacobian"]["minValue"] == pytest.approx(1)
     assert all(row["@type"] == "PropertyValue" for row in data["variableMeasured"])
     assert len(measured) > 15
@@ -263,6 +273,7 @@ def test_C3_a_mesh_says_what_was_measured(site):
     values = {row["name"]: row for row in published["variableMeasured"]}
     assert values["Scaled Jacobian"]["minValue"] == 0.04871634353271195
     assert values["number of irregular interior edges"]["value"] == 8
+    assert "number of sheets" not in values, "nobody has traced it"
 
 
 def test_C3_highwire_tags(site):

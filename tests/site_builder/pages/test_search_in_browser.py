@@ -78,6 +78,20 @@ def test_C2_a_search_is_an_address(page):
     found(page, "1 mesh")
 
 
+def test_T6_blocks_are_filtered_by_sorted_by_and_shown(page):
+    page.goto("index.html#view=table&sort=-blocks")
+    found(page, "5 meshes")
+    heads = page.locator("#results thead th").all_inner_texts()
+    rows = [row.locator("th, td").all_inner_texts() for row in page.locator("#results tbody tr").all()]
+    told = {row[0]: (row[heads.index("Sheets")], row[heads.index("Blocks")]) for row in rows}
+    assert told["A row"] == ("7", "1") and told["second"] == ("–", "–")
+    assert [row[0] for row in rows][3:] == ["one folder / first", "second"], "what is not known comes last"
+    page.get_by_role("group", name="Blocks").get_by_text("one").click()
+    found(page, "3 meshes")
+    assert names(page) == ["pair", "Turned over", "A row"]
+    page.wait_for_url("**/index.html#*blocks=one*")
+
+
 def test_C2_a_search_works_by_keyboard_alone(page):
     page.goto("index.html")
     page.get_by_role("searchbox").focus()

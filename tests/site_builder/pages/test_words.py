@@ -41,27 +41,42 @@ def test_C2_sizes_counts_and_shares():
     assert share(1, 80) == "1.2 %"
 
 
+def structure(word: str | None, blocks: int, **more: str) -> dict:
+    """As much of a structure as words need."""
+    return {"class": word, "base_complex": {"blocks": blocks}, **more}
+
+
 @pytest.mark.parametrize(
-    ("valence", "word"),
+    ("found", "word"),
     [
-        ({}, "regular"),
-        ({4: 10}, "regular"),
-        ({3: 4, 4: 96}, "semi-structured"),
-        ({4: 90, 5: 10}, "unstructured"),
         (None, ""),
+        (structure("regular", 1), "regular"),
+        (structure("polycube", 3), "polycube"),
+        (structure(None, 104), ""),
+        (structure("regular", 1, skipped="44 cells that aren't hexahedra"), ""),
     ],
 )
-def test_C2_the_structure_in_a_word(valence, word):
-    assert structure_word(Facts(interior_edge_valence=valence)) == word
+def test_T3_a_class_is_told_where_it_is_exact_and_of_the_whole_mesh(found, word):
+    assert structure_word(Facts(structure=found)) == word
 
 
-def test_C2_the_structure_in_a_line():
-    facts = Facts(interior_edge_valence={3: 24, 4: 1000, 5: 8, 6: 1})
-    assert structure_line(facts) == (
-        "Semi-structured: 33 of 1,033 interior edges (3.2 %) are irregular, 24 of valence 3, 8 of valence 5 and 1 of "
-        "valence 6."
-    )
-    assert structure_line(Facts()) == ""
+@pytest.mark.parametrize(
+    ("valence", "found", "line"),
+    [
+        (None, None, ""),
+        ({}, None, "No interior edge is irregular."),
+        ({4: 10}, structure("regular", 1), "Regular: no interior edge is irregular, 1 block."),
+        ({4: 10}, structure("polycube", 57), "Polycube: no interior edge is irregular, 57 blocks."),
+        (
+            {3: 24, 4: 1000, 5: 8, 6: 1},
+            structure(None, 104),
+            "33 of 1,033 interior edges (3.2 %) are irregular, 24 of valence 3, 8 of valence 5 and 1 of valence 6.",
+        ),
+        ({4: 96, 5: 4}, None, "4 of 100 interior edges (4.0 %) are irregular, all of valence 5."),
+    ],
+)
+def test_C2_the_structure_in_a_line(valence, found, line):
+    assert structure_line(Facts(interior_edge_valence=valence, structure=found)) == line
 
 
 @pytest.mark.parametrize(

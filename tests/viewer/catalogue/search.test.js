@@ -15,8 +15,8 @@ const INDEX = readIndex({
     ["balls", "Balls", "J. Doe", 2023, "Journal", "", "Doe 2023"],
   ],
   meshes: [
-    [0, "cube", "Cube", 512, 1, 1, 1, 0, 1, "00"],
-    [0, "bar", "Bar", 4000, 0.5, 0.9, 1, 12, 0, "01", "A beam to be bent."],
+    [0, "cube", "Cube", 512, 1, 1, 1, 0, 1, "00", "", 24, 1],
+    [0, "bar", "Bar", 4000, 0.5, 0.9, 1, 12, 0, "01", "A beam to be bent.", 40, 118],
     [1, "bunny", "Bunny", null, null, null, null, null, 0, "12"],
     [1, "ball", "Ball 10", 99, -0.2, 0.5, 1, 3, 0, "10"],
   ],
@@ -28,6 +28,18 @@ const names = (query) => find(INDEX, { ...NOTHING, ...query }).rows.map((row) =>
 
 test("C2 all is found when nothing is asked, in its order", () => {
   assert.deepEqual(names({}), ["Cube", "Bar", "Bunny", "Ball 10"]);
+});
+
+test("T6 sheets and blocks are known of what was traced", () => {
+  assert.deepEqual(
+    INDEX.rows.map(({ sheets, blocks }) => [sheets, blocks]),
+    [
+      [24, 1],
+      [40, 118],
+      [null, null],
+      [null, null],
+    ],
+  );
 });
 
 test("C2 words are found in names, titles, authors, years and DOIs, without accents", () => {
@@ -79,6 +91,8 @@ test("C2 what is not known comes last, whichever way it is sorted", () => {
   assert.deepEqual(names({ sort: "-cells" }), ["Bar", "Cube", "Ball 10", "Bunny"]);
   assert.deepEqual(names({ sort: "sj" }), ["Ball 10", "Bar", "Cube", "Bunny"]);
   assert.deepEqual(names({ sort: "year" }), ["Bunny", "Ball 10", "Cube", "Bar"]);
+  assert.deepEqual(names({ sort: "blocks" }), ["Cube", "Bar", "Bunny", "Ball 10"]);
+  assert.deepEqual(names({ sort: "-blocks" }), ["Bar", "Cube", "Bunny", "Ball 10"]);
   assert.deepEqual(names({ sort: "name" }), ["Ball 10", "Bar", "Bunny", "Cube"]);
 });
 
