@@ -90,4 +90,4 @@ def test_P8_viewer_and_python_weigh_little(runtime: tuple[Path, RuntimeReport]) 
     site, report = runtime
     served = [*(site / report.runtime).iterdir(), *(site / one for one in report.scripts.values())]
     sizes = {path.name: len(gzip.compress(path.read_bytes(), 6, mtime=0)) for path in served}
-    assert sum(sizes.values()) < 7_200_000, sizes
+    assert sum(sizes.values()) < 7_600_000, sizes
