@@ -53,9 +53,14 @@ def inspect(opened: Opened, cell: int) -> dict[str, Any]:
         "pending": [id for id in own if id not in metrics],
         "attributes": cell_attributes(mesh, cell),
         "neighbours": mesh.topology.neighbours_of(np.array([cell]))[:, 0].tolist(),
-        "structure": opened.traced.at(cell) if "traced" in vars(opened) else None,
+        "structure": structure_at(opened, cell),
         "validity": STATES[int(certify(alone(mesh, cell)).state[0])],
     }
+
+
+def structure_at(opened: Opened, cell: int) -> dict[str, Any] | None:
+    """What a cell is part of; None until it is traced, which is not done for this."""
+    return opened.traced.at(cell) if "traced" in vars(opened) else None
 
 
 def value(opened: Opened, cell: int, quantity: str) -> dict[str, Any]:
@@ -71,7 +76,7 @@ def value(opened: Opened, cell: int, quantity: str) -> dict[str, Any]:
     Returns
     -------
     dict
-        `cell`, `kind`, `value` (None where it is not finite, or the kind has no such metric), `components` (of an
+        `cell`, `kind`, `structure` (see `TracedBook.at`; None until it is traced), `value` (None where it is not finite, or the kind has no such metric), `components` (of an
         attribute with several, whose magnitude the value is; else None), `pending` (whether the value waits for the
         mesh's mean volume).
 
@@ -80,7 +85,13 @@ def value(opened: Opened, cell: int, quantity: str) -> dict[str, Any]:
     UnknownQuantity
         If there is neither a metric nor an attribute of that id.
     """
-    told = {"cell": cell, "kind": KINDS[opened.mesh.kinds[cell]], "components": None, "pending": False}
+    told = {
+        "cell": cell,
+        "kind": KINDS[opened.mesh.kinds[cell]],
+        "structure": structure_at(opened, cell),
+        "components": None,
+        "pending": False,
+    }
     if quantity in METRICS:
         metrics = cell_metrics(opened, cell, [quantity])
         return {**told, "value": metrics.get(quantity), "pending": quantity not in metrics}

@@ -75,17 +75,17 @@ def nodes_table(structure: Structure) -> Columns:
 
 
 def sheets_table(structure: Structure) -> Columns:
-    """Sheets: cells, edges, crossings, kind, whether closed and one-sided, base sheet."""
+    """Sheets: cells, kind, whether closed and one-sided, crossings, edges, base sheet."""
     sheets = structure.sheets
     kinds = np.where(sheets.self_intersecting, 2, sheets.self_touching)
     return {
         "number": Column(np.arange(sheets.count)),
         "cells": Column(sheets.cells),
-        "edges": Column(sheets.edges),
-        "crossings": Column(sheets.crossings),
         "kind": Column(kinds, SHEET_KINDS),
         "closed": Column(sheets.closed),
         "one_sided": Column(sheets.one_sided),
+        "crossings": Column(sheets.crossings),
+        "edges": Column(sheets.edges),
         "base_sheet": Column(structure.base_sheets[0]),
     }
 

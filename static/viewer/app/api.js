@@ -134,8 +134,8 @@ export class HexaLab {
    * The shown cells as a mesh (SPEC A8).
    *
    * @param {string} format "vtu", "vtk", "mesh", ...: what meshes are written in
-   * @param {{ metrics?: string[], attributes?: string[] | null }} [options] metrics that become attributes of the cells; attributes
-   *   of the file that come along, all by default
+   * @param {{ metrics?: string[], attributes?: string[] | null, structure?: boolean }} [options] metrics that become attributes of the
+   *   cells; attributes of the file that come along, all by default; whether sheets, chords and block of each cell do
    * @returns {Promise<{ file: Blob, ending: string, notes: readonly string[] }>} notes: what the format has no place for
    */
   cells(format, options = {}) {
@@ -200,6 +200,26 @@ export class HexaLab {
   /** Where the groups of an origin meet, such as "material". @param {string} origin @returns {Promise<import("../state/answers.js").Interface[]>} */
   interfaces(origin) {
     return this.#app.client.call("interfaces", [origin]);
+  }
+
+  /**
+   * The structure of the open mesh (SPEC T), as `hexalab structure --json` tells it.
+   *
+   * @returns {Promise<import("../state/answers.js").StructureFacts>}
+   */
+  async structure() {
+    await this.#app.structured.trace();
+    return this.#app.client.call("structure_facts", [true]);
+  }
+
+  /**
+   * A table of the structure: "arcs", "nodes", "sheets", "chords" or "blocks".
+   *
+   * @param {string} table @param {"whole" | "interior"} [variant] which arcs or blocks: of all irregular edges, or of those inside alone
+   * @returns {Promise<import("../state/answers.js").StructureTable>}
+   */
+  structureTable(table, variant = "whole") {
+    return this.#app.client.call("structure_table", [table, variant]);
   }
 
   /** Show a cell or a vertex, and what lies around it, by the number of its file (SPEC R11). @param {"cell" | "vertex"} kind @param {number} number */

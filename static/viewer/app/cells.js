@@ -66,8 +66,9 @@ export class Cells {
         await this.#measureSizes();
         if (here()) found = await ask();
       }
-      const { kind, value, components } = found;
-      if (here()) facts.set({ hover: { cell, kind, name: symbol || name, value, unit, components } });
+      const { kind, value, components, structure } = found;
+      if (here())
+        facts.set({ hover: { cell, kind, name: symbol || name, value, unit, components, structure } });
     } catch {
       // the pointer went on, or another mesh has come: nothing to tell
     }

@@ -26,12 +26,12 @@ export class Leaving {
    *
    * @param {string} format a row of the writers @param {CellsWanted} [wanted] @returns {Promise<Left & { cells: number }>}
    */
-  async cells(format, { metrics = [], attributes = null } = {}) {
+  async cells(format, { metrics = [], attributes = null, structure = false } = {}) {
     const { client, drawing, tables } = this.#app;
     const writer = tables.writers.find(({ id }) => id === format);
     if (!writer) throw new Error(unknown(format, tables.writers));
     await drawing.drawn();
-    const { data, notes, cells } = await client.call("save_cells", [format, metrics, attributes]);
+    const { data, notes, cells } = await client.call("save_cells", [format, metrics, attributes, structure]);
     const file = new Blob([/** @type {Uint8Array<ArrayBuffer>} */ (data)]);
     return { file, ending: writer.extension.slice(1), notes, cells };
   }

@@ -1,4 +1,5 @@
 import { quantityOf, quantityOptions } from "../state/quantity.js";
+import { tracedOf } from "../state/tables.js";
 import { h } from "../widgets/dom.js";
 
 /** Which of the quantities a way to save lists: none; metrics and whole attributes; all that can be coloured by. @typedef {"none" | "whole" | "all"} Listed */
@@ -8,6 +9,9 @@ const TITLES = { none: "", whole: "What each cell carries", all: "Colours to cho
 
 /** A component of an attribute: its number ends the id. */
 const COMPONENT = /^(.*):\d+$/;
+
+/** All that is traced, which cells carry together. */
+export const STRUCTURE = { value: "structure", name: "Structure: sheets, chords, block, distance" };
 
 /** What a vector's name has behind it in lists of numbers. */
 const MAGNITUDE = /, magnitude$/;
@@ -29,16 +33,19 @@ export function quantityList(context) {
     const rows = quantityOptions(context);
     if (listed === "all") return rows;
     const ids = new Set(rows.map(({ value }) => value));
-    const whole = rows.filter(({ value }) => !ids.has(COMPONENT.exec(value)?.[1] ?? ""));
-    return whole.map(({ value, name }) => ({ value, name: name.replace(MAGNITUDE, "") }));
+    const whole = rows.filter(
+      ({ value }) => !ids.has(COMPONENT.exec(value)?.[1] ?? "") && !tracedOf(context.tables, value),
+    );
+    return [...whole.map(({ value, name }) => ({ value, name: name.replace(MAGNITUDE, "") })), STRUCTURE];
   }
 
   return {
     element,
     begin() {
       const attributes = (context.facts.get("summary")?.attributes ?? []).map(({ id }) => id);
-      const looked = quantityOf(context).id;
-      ticked = { none: new Set(), whole: new Set([looked, ...attributes]), all: new Set([looked]) };
+      const { id } = quantityOf(context);
+      const looked = tracedOf(context.tables, id) ? STRUCTURE.value : id;
+      ticked = { none: new Set(), whole: new Set([looked, ...attributes]), all: new Set([id]) };
     },
     /** @param {Listed} listed */
     show(listed) {

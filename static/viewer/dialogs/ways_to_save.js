@@ -3,6 +3,7 @@ import { FRAMES, MOST_FRAMES, MOST_SECONDS, MOST_SLICES, SECONDS } from "../stat
 import { metricOf } from "../state/tables.js";
 import { h } from "../widgets/dom.js";
 import { numberField } from "../widgets/number_field.js";
+import { STRUCTURE } from "./quantity_list.js";
 
 /**
  * The ways in which a mesh leaves the page, as rows of a table.
@@ -50,7 +51,8 @@ export const WAYS = [
     save: ({ app, tables }, { format, quantities }) =>
       app.leaving.cells(format, {
         metrics: quantities.filter((id) => metricOf(tables, id)),
-        attributes: quantities.filter((id) => !metricOf(tables, id)),
+        attributes: quantities.filter((id) => !metricOf(tables, id) && id !== STRUCTURE.value),
+        structure: quantities.includes(STRUCTURE.value),
       }),
   },
   {

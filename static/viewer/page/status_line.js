@@ -1,4 +1,5 @@
 import { count, counted, decimal } from "../state/numbers.js";
+import { cellInWords } from "../state/structure.js";
 import { measured } from "../state/units.js";
 import { watch } from "../widgets/bind.js";
 import { h, setText } from "../widgets/dom.js";
@@ -31,7 +32,7 @@ const TOOL_WORDS = {
 };
 
 /** @param {import("../widgets/bind.js").Context} context */
-function hoverInWords({ facts }) {
+function hoverInWords({ facts, store }) {
   const hover = facts.get("hover");
   const tool = TOOL_WORDS[facts.get("tool")];
   if (!hover) return [facts.get("changed"), tool].filter(Boolean).join(" · ");
@@ -40,5 +41,8 @@ function hoverInWords({ facts }) {
     typeof hover.value === "number"
       ? `, ${hover.name} ${measured(hover.value, hover.unit ?? "")}${parts}`
       : "";
-  return [`cell ${facts.get("numbering").of(hover.cell)}${value}`, tool].filter(Boolean).join(" · ");
+  const structure = store.status.structure.kind === "none" ? "" : cellInWords(hover.structure);
+  return [`cell ${facts.get("numbering").of(hover.cell)}${value}`, structure, tool]
+    .filter(Boolean)
+    .join(" · ");
 }

@@ -100,6 +100,7 @@ export const structureControls = [
   },
   {
     kind: "actions",
+    full: true,
     ...LOOKED,
     hidden: unless(ANY),
     items: [
@@ -140,10 +141,11 @@ export const structureControls = [
     items: [
       {
         name: "Table as CSV",
+        text: "CSV",
         press: (context) => void saveTable(context),
         disabled: (context) => lookOf(context).kind === "none",
       },
-      { name: "Facts as JSON", press: (context) => void saveFacts(context) },
+      { name: "Facts as JSON", text: "JSON", press: (context) => void saveFacts(context) },
     ],
   },
 ];

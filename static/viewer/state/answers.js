@@ -314,6 +314,7 @@
  * @typedef {object} CellValue  one value of a cell, as it is coloured by
  * @property {number} cell
  * @property {string} kind
+ * @property {CellStructure | null} structure what it is part of; null until it is traced
  * @property {number | null} value
  * @property {(number | null)[] | null} components of which the value is the magnitude
  * @property {boolean} pending whether it waits for the mesh's mean volume

@@ -20,6 +20,7 @@ import { ROWS } from "./numbering.js";
  * @property {string} [name] of the quantity looked at
  * @property {number | null} [value]
  * @property {string} [unit] of the value; may be empty
+ * @property {import("./answers.js").CellStructure | null} [structure] what it is part of, once that is traced
  * @property {readonly (number | null)[] | null} [components] of which the value is the magnitude
  *
  * @typedef {object} FactTable  the facts by name

@@ -10,6 +10,7 @@
  * @typedef {object} CellsWanted
  * @property {readonly string[]} [metrics] that become attributes of the cells
  * @property {readonly string[] | null} [attributes] of the file that come along; null: all
+ * @property {boolean} [structure] whether sheets, chords, block and distance to irregular edges come along
  *
  * @typedef {object} SurfaceWanted
  * @property {boolean} [light] whether it is in the colours; without, where it comes from all around

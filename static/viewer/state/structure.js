@@ -62,6 +62,13 @@ export function inWords(kind, chosen) {
   return `${chosen.length} ${many}`;
 }
 
+/** "sheets 0, 1, 7, block 5"; empty where nothing is known of the cell. @param {import("./answers.js").CellStructure | null | undefined} structure */
+export function cellInWords(structure) {
+  if (!structure || structure.block === null) return "";
+  const sheets = [...new Set(structure.sheets)];
+  return `${NAMES.sheets[sheets.length > 1 ? 1 : 0]} ${sheets.join(", ")}, block ${structure.block}`;
+}
+
 /** Things that a legend names. */
 const MOST_KEYS = 6;
 
