@@ -76,7 +76,8 @@ def value(opened: Opened, cell: int, quantity: str) -> dict[str, Any]:
     Returns
     -------
     dict
-        `cell`, `kind`, `structure` (see `TracedBook.at`; None until it is traced), `value` (None where it is not finite, or the kind has no such metric), `components` (of an
+        `cell`, `kind`, `structure` (see `TracedBook.at`; None until it is traced),
+        `value` (None where it is not finite, or the kind has no such metric), `components` (of an
         attribute with several, whose magnitude the value is; else None), `pending` (whether the value waits for the
         mesh's mean volume).
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arrays import CHUNK, Ids
+from ..arrays import CHUNK, Ids, tally
 from ..topology.classes import classes
 from .blocks import Blocks, measured
 from .frame import Frame
@@ -91,7 +91,7 @@ def skeleton(frame: Frame, complex_faces: NDArray[np.bool_]) -> Skeleton:
     on = complex_edges(frame, complex_faces)
     rows = np.flatnonzero(on).astype(np.int32)
     ends = frame.edge_vertices[:, rows]
-    met = np.bincount(ends.reshape(-1), minlength=frame.topology.vertex_count)
+    met = tally(ends, frame.topology.vertex_count)
     straight = (met == 2) & ~_bent(frame, on)
     labels, faces = patches(frame, complex_faces, on)
     return Skeleton(

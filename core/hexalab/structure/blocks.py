@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arrays import Array, Ids
+from ..arrays import Array, Ids, tally
 from .closing import turned_blocks
 from .frame import ACROSS, ROUND, SIDES, Frame
 
@@ -50,11 +50,11 @@ def measured(frame: Frame, complex_faces: NDArray[np.bool_], labels: Ids, count:
     of cells, 2 (ij + jk + ki) faces and ijk cells, so i, j, k are the roots of x**3 - (i + j + k) x**2 + (ij +
     jk + ki) x - ijk.
     """
-    cells = np.bincount(labels, minlength=count)
+    cells = tally(labels, count)
     walled = complex_faces[frame.cell_faces]  # (6, N)
-    faces = np.zeros(count, np.int64)
+    faces, one_more = np.zeros(count, np.int64), np.int64(1)
     for side in walled:
-        faces += np.bincount(labels[side], minlength=count)
+        np.add.at(faces, labels[side], one_more)
     touching = np.flatnonzero(walled.any(axis=0)).astype(np.int32)
     walled = walled[:, touching]
     own = labels[touching]
@@ -62,13 +62,13 @@ def measured(frame: Frame, complex_faces: NDArray[np.bool_], labels: Ids, count:
     convex = np.ones(count, dtype=bool)
     for place, (one, other) in enumerate(SIDES):
         both = walled[one] & walled[other]
-        edges += np.bincount(own[both], minlength=count)
+        np.add.at(edges, own[both], one_more)
         for wall, free in ((one, other), (other, one)):
             at = np.flatnonzero(walled[wall] & ~walled[free])
             convex[own[at[~_goes_on(frame, complex_faces, touching[at], int(free), place)]]] = False
     corners = np.zeros(count, np.int64)
     for a, b, c in CORNER_FACES:
-        corners += np.bincount(own[walled[a] & walled[b] & walled[c]], minlength=count)
+        np.add.at(corners, own[walled[a] & walled[b] & walled[c]], one_more)
     kinds = np.full(count, OTHER, np.uint8)
     dimensions = np.zeros((count, 3), np.int32)
     box = np.flatnonzero(convex & (corners == 8))

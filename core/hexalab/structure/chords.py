@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arrays import CHUNK, Ids
+from ..arrays import CHUNK, Ids, tally
 from ..topology.classes import by_appearance, classes
 from .frame import OPPOSITE, Frame
 
@@ -55,7 +55,7 @@ def find_chords(frame: Frame) -> Chords:
     again = np.zeros(count, dtype=bool)
     again[a[(a == b) | (a == c)]] = True
     again[b[b == c]] = True
-    length = np.bincount(of_cells.reshape(-1), minlength=count).astype(np.int32)
+    length = tally(of_cells, count)
     return Chords(of_faces, of_cells, length, closed, again)
 
 

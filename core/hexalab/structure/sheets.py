@@ -12,10 +12,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arrays import CHUNK, Ids
+from ..arrays import CHUNK, Ids, tally
 from ..cells import EDGES
 from ..topology.classes import by_appearance, directed_classes
-from ..topology.pairs import repeated_pairs
+from ..topology.pairs import repeated_labels
 from .frame import DIRECTIONS, SENSE, Frame
 
 
@@ -65,21 +65,21 @@ def find_sheets(frame: Frame) -> Sheets:
     of_edges, of_cells = number[raw], number[crossing]
     sided = np.empty(count, dtype=bool)
     sided[number] = found.one_sided
-    crossings = np.bincount(of_cells.reshape(-1), minlength=count)
+    crossings = tally(of_cells, count)
     a, b, c = of_cells
     twice = (a == b, b == c, a == c)
-    again = np.zeros(count, np.int64)
+    again = np.zeros(count, np.int32)
     for one, same in ((a, twice[0]), (b, twice[1]), (a, twice[2] & ~twice[0] & ~twice[1])):
-        again += np.bincount(one[same], minlength=count)
+        np.add.at(again, one[same], np.int32(1))
     intersecting = again > 0
     open_ = np.zeros(count, dtype=bool)
     open_[of_edges[frame.edge_on_boundary]] = True
     return Sheets(
         of_edges=of_edges,
         of_cells=of_cells,
-        cells=(crossings - again).astype(np.int32),
-        edges=np.bincount(of_edges, minlength=count).astype(np.int32),
-        crossings=crossings.astype(np.int32),
+        cells=crossings - again,
+        edges=tally(of_edges, count),
+        crossings=crossings,
         closed=~open_,
         self_intersecting=intersecting,
         self_touching=_touching(frame, of_edges, count) & ~intersecting,
@@ -110,8 +110,6 @@ def _points(corners: Ids, place: int) -> NDArray[np.bool_]:
 
 def _touching(frame: Frame, of_edges: Ids, count: int) -> NDArray[np.bool_]:
     """(S,) bool: whether two edges of a sheet share a vertex."""
-    sheet = np.concatenate([of_edges, of_edges])
-    again = repeated_pairs(frame.edge_vertices.reshape(-1), sheet)
     out = np.zeros(count, dtype=bool)
-    out[sheet[again]] = True
+    out[repeated_labels(frame.edge_vertices, of_edges, frame.topology.vertex_count)] = True
     return out

@@ -21,8 +21,11 @@ from .slots import last_writers
 FACE_EDGES = ((0, 1, 2, 3), (4, 5, 6, 7), (0, 4, 8, 9), (1, 5, 9, 10), (2, 6, 10, 11), (3, 7, 11, 8))
 """The edges of each of the six faces, as indices into `EDGES`."""
 
-SLOT_BITS = 2
-"""Four slots for each vertex: in a grid a vertex is the smaller end of three edges."""
+SLOT_BITS = 3
+"""Eight slots for each vertex: one is the smaller end of some three edges, as in a grid, or of seven or eight."""
+
+LARGEST = 2**31
+"""Places below it are told in int32."""
 
 LAYERS = 16
 """After so many layers the rest is sorted: a vertex that is the smaller end of very many edges."""
@@ -53,7 +56,7 @@ class Edges:
 
 
 def find_edges(corners: Ids, vertex_count: int) -> Edges:
-    """Number the edges of (8, C) corners, fewer than 2**29 vertices."""
+    """Number the edges of (8, C) corners, fewer than 2**28 vertices."""
     cell_count = corners.shape[1]
     rows = np.empty((12, cell_count), np.int32)
     table = np.full(vertex_count << SLOT_BITS, -1, np.int32)
@@ -66,35 +69,42 @@ def find_edges(corners: Ids, vertex_count: int) -> Edges:
             slot = rows[place, part]
             _hash(np.minimum(one, other), high, multiplier, slot)
             table[slot] = high
-    # A slot that holds its own vertex was written last by an edge that has vanished.
-    taken = np.flatnonzero((table >= 0) & (table != np.arange(len(table), dtype=np.int32) >> SLOT_BITS))
+    taken = _taken(table)
     number = np.full(len(table), -1, np.int32)
     number[taken] = np.arange(len(taken), dtype=np.int32)
     missed: list[Array] = []
+    places = np.int32 if rows.size < LARGEST else np.int64
     for start in range(0, cell_count, CHUNK):
         part = slice(start, start + CHUNK)
         for place, (a, b) in enumerate(EDGES):
-            slot = rows[place, part]
-            lost = np.flatnonzero(table[slot] != np.maximum(corners[a, part], corners[b, part]))
+            one, other, slot = corners[a, part], corners[b, part], rows[place, part]
+            high = np.maximum(one, other)
+            lost = np.flatnonzero(table[slot] != high)
             slot[:] = number[slot]
             if len(lost):
-                missed.append(lost + (place * cell_count + start))
-    ends = [np.stack([(taken >> SLOT_BITS).astype(np.int32), table[taken]])]
+                where = (lost + (place * cell_count + start)).astype(places)
+                missed.append(np.stack([where, np.minimum(one[lost], other[lost]), high[lost]]))
+    ends = [np.stack([taken >> SLOT_BITS, table[taken]])]
     if missed:
         del number
-        ends += _settle(corners, rows.reshape(-1), table, np.concatenate(missed), len(taken))
+        ends += _settle(rows.reshape(-1), table, np.concatenate(missed, axis=1), len(taken))
     return Edges(np.concatenate(ends, axis=1), rows)
 
 
-def _settle(corners: Ids, rows: Ids, table: Ids, rest: Array, start: int) -> list[Ids]:
-    """Number the edges that found their slot taken; `rest` are places `place * C + cell` of `rows`."""
+def _taken(table: Ids) -> Ids:
+    """Slots that an edge has; one that holds its own vertex was written last by an edge that has vanished."""
+    found = [np.empty(0, np.int32)]
+    for start in range(0, len(table), CHUNK):
+        part = table[start : start + CHUNK]
+        slots = np.arange(start, start + len(part), dtype=np.int32)
+        found.append(slots[(part >= 0) & (part != slots >> SLOT_BITS)])
+    return np.concatenate(found)
+
+
+def _settle(rows: Ids, table: Ids, missed: Array, start: int) -> list[Ids]:
+    """Number the edges that found their slot taken: (3, M) places in `rows`, smaller and larger ids."""
     ends: list[Ids] = []
-    cell_count = max(corners.shape[1], 1)
-    place, cell = rest // cell_count, rest % cell_count
-    corner_of = np.array(EDGES, dtype=np.intp)
-    one, other = (corners[corner_of[place, end], cell] for end in range(2))
-    del place, cell
-    low, high = np.minimum(one, other), np.maximum(one, other)
+    rest, low, high = missed
     rows[rest[low == high]] = -1
     real = np.flatnonzero(low != high)
     rest, low, high = rest[real], low[real], high[real]
@@ -157,15 +167,14 @@ def cells_around(edges: Edges, repeating: Array) -> Ids:
     repeating : (R,) int
         The cells that repeat a vertex: they alone may have an edge twice.
     """
-    count = edges.vertices.shape[1]
-    around = np.zeros(count, np.int64)
+    around: Ids = np.zeros(edges.vertices.shape[1], np.int32)
     for rows in edges.rows:
-        around += np.bincount(rows[rows >= 0] if len(repeating) else rows, minlength=count)
+        np.add.at(around, rows[rows >= 0] if len(repeating) else rows, np.int32(1))
     if len(repeating):
         own = np.sort(edges.rows[:, repeating], axis=0)
         twice = own[1:][(own[1:] == own[:-1]) & (own[1:] >= 0)]
-        around -= np.bincount(twice, minlength=count)
-    return around.astype(np.int32)
+        np.subtract.at(around, twice, np.int32(1))
+    return around
 
 
 def repeating_cells(corners: Ids) -> NDArray[np.bool_]:
