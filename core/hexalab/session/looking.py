@@ -124,7 +124,7 @@ class Onlooker:
         if not look.explode:
             return self._drawn_mesh
         if look.variant not in self._pieces:
-            blocks = base_of(self.structure, look.variant).blocks.of_cells
+            blocks = base_of(self.structure, look.variant).of_cells
             labels = self.structure.frame.in_mesh(blocks, self.structure.mesh.cell_count)
             self._pieces = {look.variant: Pieces(self._drawn_mesh, labels)}
         pieces = self._pieces[look.variant]
@@ -162,7 +162,7 @@ class Onlooker:
         if variant not in self._colours:
             base = base_of(self.structure, variant)
             self._colours = {variant: block_colours(self.structure.frame, base, BLOCK_COLOURS)}
-        blocks = base_of(self.structure, variant).blocks.of_cells
+        blocks = base_of(self.structure, variant).of_cells
         found = self.structure.frame.in_mesh(
             self._colours[variant][blocks].astype(np.int32), self.structure.mesh.cell_count
         )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,22 +17,34 @@ from .graph import Chains, chain
 from .walls import complex_edges, patches, separating_faces
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False)
 class BaseComplex:
     """Blocks and the walls between them.
 
     Attributes
     ----------
+    frame : Frame
+        What it lies in.
     separating : (F,) bool
         Faces that walls pass, those of the boundary that touch an irregular edge among them.
     complex_faces : (F,) bool
         These and all of the boundary.
-    blocks : Blocks
+    of_cells : (N,) int32
+        Block of each cell, numbered in the order of their first cells.
+    count : int
+        Number of blocks.
     """
 
+    frame: Frame
     separating: NDArray[np.bool_]
     complex_faces: NDArray[np.bool_]
-    blocks: Blocks
+    of_cells: Ids
+    count: int
+
+    @cached_property
+    def blocks(self) -> Blocks:
+        """What the blocks are."""
+        return measured(self.frame, self.complex_faces, self.of_cells, self.count)
 
 
 def whole_complex(frame: Frame) -> BaseComplex:
@@ -49,7 +62,7 @@ def _complex(frame: Frame, start_at: NDArray[np.bool_]) -> BaseComplex:
     complex_faces = separating.copy()
     complex_faces[frame.paired :] = True
     labels, count = classes(frame.count, lambda: _links(frame, complex_faces))
-    return BaseComplex(separating, complex_faces, measured(frame, complex_faces, labels, count))
+    return BaseComplex(frame, separating, complex_faces, labels, count)
 
 
 def _links(frame: Frame, complex_faces: NDArray[np.bool_]) -> Iterator[tuple[Ids, Ids]]:

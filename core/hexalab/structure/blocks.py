@@ -21,7 +21,6 @@ class Blocks:
 
     Attributes
     ----------
-    of_cells : (N,) int32
     cells : (B,) int32
     kinds : (B,) uint8
         Index into `KINDS`.
@@ -30,7 +29,6 @@ class Blocks:
         0 else.
     """
 
-    of_cells: Ids
     cells: Ids
     kinds: NDArray[np.uint8]
     dimensions: Ids
@@ -87,7 +85,7 @@ def measured(frame: Frame, complex_faces: NDArray[np.bool_], labels: Ids, count:
     closing = kinds != BOX
     if closing.any():
         kinds[turned_blocks(frame, complex_faces, labels, closing)] = TWISTED
-    return Blocks(labels, cells.astype(np.int32), kinds, dimensions)
+    return Blocks(cells, kinds, dimensions)
 
 
 CORNER_FACES = ((0, 2, 5), (0, 2, 3), (0, 3, 4), (0, 4, 5), (1, 2, 5), (1, 2, 3), (1, 3, 4), (1, 4, 5))

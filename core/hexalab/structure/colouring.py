@@ -17,10 +17,10 @@ def block_colours(frame: Frame, base: BaseComplex, colours: int) -> NDArray[np.u
     for start in range(0, frame.paired, CHUNK):
         part = slice(start, min(start + CHUNK, frame.paired))
         walls = np.flatnonzero(base.complex_faces[part])
-        one, other = (base.blocks.of_cells[cells[part][walls]] for cells in frame.face_cells)
+        one, other = (base.of_cells[cells[part][walls]] for cells in frame.face_cells)
         ones.append(np.minimum(one, other))
         others.append(np.maximum(one, other))
-    count = base.blocks.count
+    count = base.count
     one, other, _ = (
         counted_pairs(np.concatenate(ones), np.concatenate(others), count) if ones else (NONE, NONE, NONE)
     )

@@ -47,7 +47,7 @@ def facts_of(structure: Structure, labels: bool = True) -> dict[str, Any]:
             "self_intersecting": _sum(chords.self_intersecting),
         },
         "base_complex": complex_facts(structure),
-        "interior_base_complex": {"blocks": structure.interior_base_complex.blocks.count},
+        "interior_base_complex": {"blocks": structure.interior_base_complex.count},
         "class": class_of(structure),
         "irregular_vertex_share": irregular_vertex_share(structure),
     }
@@ -55,7 +55,7 @@ def facts_of(structure: Structure, labels: bool = True) -> dict[str, Any]:
         facts["labels"] = {
             "sheets": hash_of(sheets.of_cells.T),
             "chords": hash_of(chords.of_cells.T),
-            "blocks": hash_of(structure.base_complex.blocks.of_cells),
+            "blocks": hash_of(structure.base_complex.of_cells),
         }
     skipped = structure.frame.skipped
     return {"skipped": skipped, **facts} if skipped else facts
@@ -106,7 +106,7 @@ def class_of(structure: Structure) -> str | None:
     frame = structure.frame
     if not frame.count or frame.skipped or (frame.irregular & ~frame.edge_on_boundary).any():
         return None
-    return REGULAR if structure.base_complex.blocks.count == frame.topology.component_count else POLYCUBE
+    return REGULAR if structure.base_complex.count == frame.topology.component_count else POLYCUBE
 
 
 def irregular_vertex_share(structure: Structure) -> float | None:

@@ -36,7 +36,7 @@ def count_of(structure: Structure, kind: str, variant: str = "whole") -> int:
         return graph_of(structure, variant).count
     if kind == "sheets":
         return structure.sheets.count
-    return structure.chords.count if kind == "chords" else base_of(structure, variant).blocks.count
+    return structure.chords.count if kind == "chords" else base_of(structure, variant).count
 
 
 def known(numbers: Iterable[int], count: int) -> Ids:
@@ -75,7 +75,7 @@ def _cells_of_frame(structure: Structure, kind: str, numbers: Iterable[int], var
 def labels_of(structure: Structure, kind: str, variant: str = "whole") -> Ids:
     """(k, N) int32: sheets, chords (k is 3) or block (1) of each cell of the frame."""
     if kind == "blocks":
-        return base_of(structure, variant).blocks.of_cells[None]
+        return base_of(structure, variant).of_cells[None]
     return structure.sheets.of_cells if kind == "sheets" else structure.chords.of_cells
 
 

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..arrays import Array, Floats
+from ..arrays import Array, Floats, tally
 from .structure import Structure
 
 
@@ -39,8 +39,8 @@ def _smallest_sheet(structure: Structure) -> Array:
 
 
 def _block_cells(structure: Structure) -> Array:
-    blocks = structure.base_complex.blocks
-    out: Array = blocks.cells[blocks.of_cells]
+    base = structure.base_complex
+    out: Array = tally(base.of_cells, base.count)[base.of_cells]
     return out
 
 

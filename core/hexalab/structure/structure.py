@@ -28,7 +28,7 @@ class Structure:
     Examples
     --------
     >>> structure = hexalab.structure(hexalab.read("bunny.mesh"))                    # doctest: +SKIP
-    >>> structure.sheets.count, structure.base_complex.blocks.count                  # doctest: +SKIP
+    >>> structure.sheets.count, structure.base_complex.count                  # doctest: +SKIP
     (95, 1063)
     """
 
@@ -103,7 +103,7 @@ class Structure:
     @property
     def block_of_cells(self) -> Ids:
         """(C,) int32: the block of each cell; -1 for cells left out."""
-        return self.frame.in_mesh(self.base_complex.blocks.of_cells, self.mesh.cell_count)
+        return self.frame.in_mesh(self.base_complex.of_cells, self.mesh.cell_count)
 
     @cached_property
     def irregular_distance(self) -> Ids:

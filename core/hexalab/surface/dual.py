@@ -77,7 +77,7 @@ def walls(
     """Faces between blocks, those at chosen blocks, (B,) bool, and shown cells, (C,) bool of the mesh."""
     rows = np.arange(frame.count, dtype=np.int32) if frame.cells is None else frame.cells
     faces = np.flatnonzero(base.complex_faces[: frame.paired])
-    of_block = chosen[base.blocks.of_cells[frame.face_cells[:, faces]]].any(axis=0)
+    of_block = chosen[base.of_cells[frame.face_cells[:, faces]]].any(axis=0)
     faces = faces[of_block & shown[rows[frame.face_cells[:, faces]]].any(axis=0)]
     own = frame.face_cells[:, faces].reshape(-1)
     local = frame.face_locals[:, faces].reshape(-1)

@@ -40,7 +40,7 @@ def test_T4_all_colours_are_used() -> None:
 def test_T4_blocks_that_share_a_face_differ(cells: NDArray[np.int32]) -> None:
     structure = hexalab.structure(hexalab.Mesh.from_cells(np.zeros((int(cells.max()) + 1, 3)), cells))
     found = block_colours(structure.frame, structure.base_complex, COLOURS)
-    block = structure.base_complex.blocks.of_cells
+    block = structure.base_complex.of_cells
     beside: dict[int, set[int]] = {}
     for around in Slow(cells.tolist()).face_cells.values():
         if len(around) == 2 and block[around[0]] != block[around[1]]:

@@ -64,8 +64,8 @@ def test_T2_sheets_and_chords(cells: NDArray[np.int32]) -> None:
 def test_T3_base_complex(cells: NDArray[np.int32]) -> None:
     slow, structure = both(cells)
     count = range(len(cells))
-    assert structure.base_complex.blocks.of_cells.tolist() == [slow.blocks()[cell] for cell in count]
-    inner = structure.interior_base_complex.blocks.of_cells
+    assert structure.base_complex.of_cells.tolist() == [slow.blocks()[cell] for cell in count]
+    inner = structure.interior_base_complex.of_cells
     assert inner.tolist() == [slow.blocks(inside_only=True)[cell] for cell in count]
     skeleton = structure.skeleton
     chains = skeleton.edges
