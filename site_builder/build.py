@@ -28,6 +28,7 @@ from .pictures import Album, png_size, take_missing
 from .pictures.collection import Collection
 from .pictures.portrait import portrait
 from .pictures.thumbnails import Thumbnails
+from .reading.gallery import read_gallery
 from .reading.repository import read_repository
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -133,6 +134,7 @@ def build(
     cache = cache or out.parent / "cache"
     tell("reading the repository", 0.0)
     catalogue = read_repository(repository)
+    sections = read_gallery(catalogue)
     catalogue.address = os.environ.get(ADDRESS_VARIABLE) or catalogue.address or "http://localhost:8000/"
     _address_collections(catalogue)
     measurer = Measurer(cache)
@@ -144,7 +146,7 @@ def build(
     _add_static(output)
     output.write("catalogue.json", indexes.catalogue_json(catalogue, previews))
     thumbnails = Thumbnails(cache)
-    collection = Collection(catalogue)
+    collection = Collection(catalogue, sections)
     album = Album(cache)
     taken, trouble, weight = 0, "", 0
     if runtime:
@@ -234,6 +236,9 @@ def _add_figures(collection: Collection, output: Output, album: Album) -> dict[s
         if picture:
             output.copy(address, picture)
             figures[address] = png_size(picture)
+    for address, picture in collection.stills.items():
+        output.copy(address, picture)
+        figures[address] = png_size(picture)
     return figures
 
 

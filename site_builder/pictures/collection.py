@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 from ..model.catalogue import Catalogue, MeshEntry
+from ..model.stills import Still, StillSection
 from .gallery import SECTIONS
 from .guide import FIGURES
 from .portrait import view_of
@@ -27,6 +29,8 @@ class Figure:
     shot : Shot
     settings : dict
         The part of the status that the picture is about.
+    still : Path, optional
+        The picture, where it lies in the repository.
     """
 
     address: str
@@ -34,6 +38,7 @@ class Figure:
     sentence: str
     shot: Shot
     settings: Status
+    still: Path | None = None
 
     @property
     def wide(self) -> bool:
@@ -63,27 +68,40 @@ class Collection:
     ----------
     catalogue : Catalogue
         Its own meshes are measured already.
+    sections : list of StillSection
+        Sections of the gallery whose pictures lie in the repository.
     """
 
-    def __init__(self, catalogue: Catalogue) -> None:
+    def __init__(self, catalogue: Catalogue, sections: Sequence[StillSection] = ()) -> None:
         here = {mesh.id: mesh for mesh in catalogue.meshes if mesh.local and mesh.sha256}
         self.gallery = [
             Section(section.id, section.title, section.text, tuple(figures.values()))
             for section in SECTIONS
             if (figures := _figures(section.recipes, f"gallery/{section.id}-", here))
         ]
+        self.gallery += [
+            Section(one.id, one.title, one.text, tuple(map(_still_figure, one.stills))) for one in sections
+        ]
         self.guide = _figures(FIGURES, "guide/", here)
         self.screens = _figures(SCREENS, "screens/", here)
 
     @property
-    def figures(self) -> dict[str, Shot]:
-        """Every picture by its address."""
-        everything = [
+    def _everything(self) -> list[Figure]:
+        return [
             *(figure for section in self.gallery for figure in section.figures),
             *self.guide.values(),
             *self.screens.values(),
         ]
-        return {figure.address: figure.shot for figure in everything}
+
+    @property
+    def figures(self) -> dict[str, Shot]:
+        """Every picture that has to be taken, by its address."""
+        return {figure.address: figure.shot for figure in self._everything if not figure.still}
+
+    @property
+    def stills(self) -> dict[str, Path]:
+        """Every picture that lies in the repository, by its address."""
+        return {figure.address: figure.still for figure in self._everything if figure.still}
 
 
 def _figures(recipes: Mapping[str, Recipe], prefix: str, here: Mapping[str, MeshEntry]) -> dict[str, Figure]:
@@ -98,6 +116,22 @@ def _figures(recipes: Mapping[str, Recipe], prefix: str, here: Mapping[str, Mesh
         for name, recipe in recipes.items()
         if recipe.mesh in here
     }
+
+
+def _still_figure(still: Still) -> Figure:
+    shot = Shot(still.mesh, still.status)
+    return Figure(
+        f"gallery/{still.file.name}", still.title, still.sentence, shot, told_of(still.status), still.file
+    )
+
+
+TOLD = ("structure", "filters", "colour", "see_through")
+"""Parts of a status that a picture from the repository is about; cameras and the rest are not told below it."""
+
+
+def told_of(status: Status) -> Status:
+    """What of a status is told below its picture."""
+    return {name: status[name] for name in TOLD if name in status}
 
 
 def _shot(recipe: Recipe, mesh: MeshEntry) -> Shot:

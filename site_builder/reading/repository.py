@@ -51,7 +51,7 @@ def _read_front(catalogue: Catalogue) -> None:
     file = catalogue.root / "catalogue.yaml"
     if not file.exists():
         return
-    document = _checked(file, "catalogue", catalogue.problems, catalogue.root)
+    document = checked(file, "catalogue", catalogue.problems, catalogue.root)
     if document:
         for key, value in document.data.items():
             setattr(catalogue, key, value)
@@ -70,7 +70,7 @@ def read_source(folder: Path, problems: list[Problem], root: Path | None = None)
         what = "source.yaml is no plain file" if file.is_symlink() or file.exists() else "no source.yaml"
         problems.append(Problem("error", _shown(folder, root), 0, "", f"{what} in this folder"))
         return None
-    document = _checked(file, "source", problems, root)
+    document = checked(file, "source", problems, root)
     if document is None:
         return None
     data = document.data
@@ -110,7 +110,7 @@ def read_source(folder: Path, problems: list[Problem], root: Path | None = None)
     return source
 
 
-def _checked(file: Path, kind: str, problems: list[Problem], root: Path) -> Document | None:
+def checked(file: Path, kind: str, problems: list[Problem], root: Path) -> Document | None:
     """Read a YAML file and check it against its schema; None if it can't be used."""
     try:
         document = read_yaml(file)

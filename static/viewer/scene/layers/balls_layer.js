@@ -4,6 +4,10 @@ import { BALL_FRAGMENT, BALL_VERTEX } from "./ball_shader.js";
 
 /** @typedef {{ colour: string, size: number }} BallStyle  size: CSS pixels */
 
+/** Of so many or fewer of a style each has its size; of more they are smaller, down to a share of it. */
+const FEW = 60;
+const SMALLEST = 0.22;
+
 /** Points drawn as small balls. */
 export class BallsLayer {
   points;
@@ -30,8 +34,8 @@ export class BallsLayer {
     this.points.geometry.dispose();
     const colours = new Uint8Array(3 * rows.length);
     const sizes = new Float32Array(rows.length);
-    const styles = this.#styles.map(({ colour, size }) => ({
-      size,
+    const styles = this.#styles.map(({ colour, size }, style) => ({
+      size: size * crowding(rows.reduce((sum, row) => sum + Number(row === style), 0)),
       bytes: componentsOf(colour).map((part) => Math.round(255 * part)),
     }));
     rows.forEach((row, k) => {
@@ -62,4 +66,9 @@ export class BallsLayer {
     this.points.geometry.dispose();
     this.points.material.dispose();
   }
+}
+
+/** Share of its size that each of so many has. @param {number} count */
+function crowding(count) {
+  return Math.min(1, Math.max(SMALLEST, Math.sqrt(FEW / Math.max(count, 1))));
 }
