@@ -15,7 +15,7 @@ from hexalab.filters.structure import KINDS, hidden_by_structure, traced_of
 from hexalab.mesh import Mesh
 from hexalab.status import DEFAULTS, merge
 from tests.core.filters.boxes import box
-from tests.core.structure.brute_force import FACES, FIRST, OPPOSITE, Slow
+from tests.core.structure.members import things
 
 REPOSITORY = Path(__file__).resolve().parents[3] / "repository"
 MESHES = {
@@ -32,22 +32,6 @@ def shown(mesh: Mesh, **structure: Any) -> set[int]:
     """The cells that the filter leaves, the rest of the settings being the defaults."""
     filters = merge(DEFAULTS["filters"], {"structure": structure})
     return set(np.flatnonzero(stack(mesh).apply(filters)).tolist())
-
-
-def things(mesh: Mesh, inside_only: bool = False) -> dict[str, list[set[int]]]:
-    """The cells of all blocks, sheets and chords, by dictionaries; each kind in the order of their first cells."""
-    rows = [cell for cell in range(mesh.cell_count) if len(set(mesh.cells[cell].tolist())) == 8]
-    slow = Slow(mesh.cells[rows].tolist())
-    sheet, chord, block = slow.sheets(), slow.chords(), slow.blocks(inside_only)
-    found: dict[str, dict[Any, set[int]]] = {kind: {} for kind in KINDS}
-    for place, cell in enumerate(slow.cells):
-        found["blocks"].setdefault(block[place], set()).add(rows[place])
-        for edge in FIRST:
-            found["sheets"].setdefault(sheet[frozenset(cell[p] for p in edge)], set()).add(rows[place])
-        for begin, _ in OPPOSITE:
-            face = frozenset(cell[p] for p in FACES[begin])
-            found["chords"].setdefault(chord[face], set()).add(rows[place])
-    return {kind: list(members.values()) for kind, members in found.items()}
 
 
 def test_T5_sheets_of_a_box_are_its_layers_and_chords_its_rows() -> None:
