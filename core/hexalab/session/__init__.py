@@ -359,8 +359,8 @@ class Session(Tracing):
         return cell_list(self._open_mesh().mesh, [self._cell(cell) for cell in cells], form, name)
 
     def cell_view(self, cell: int) -> Result:
-        """Return a cell's centre, size and edges in drawing coordinates; see `inspection.where`."""
-        return inspection.where(self._open_mesh(), self._cell(cell))
+        """Return the centre, size and edges of a cell as it is drawn; see `inspection.where`."""
+        return inspection.where(self._drawn().drawn_mesh, self._cell(cell))
 
     def cut_to(self, cell: int, normal: list[float], rule: str = "barycentre") -> float:
         """Return how far a plane has to go in, 0 to 1, to hide what is before a cell, which stays.

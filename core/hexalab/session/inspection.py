@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import attributes
-from ..arrays import Array
+from ..arrays import Array, Floats
 from ..attributes import average_corners, cell_values
 from ..cells import CORNERS_OF_KIND, EDGES, KINDS
 from ..diagnosis import Finding
@@ -19,7 +19,7 @@ from ..quality import METRICS, certify, quality_many
 from ..quality.sizes import NEEDS as SIZED
 from ..quality.validity import STATES
 from ..structure.quantities import QUANTITIES
-from ..surface import Frame
+from ..surface import DrawnMesh, Frame
 from .opened import Opened
 
 
@@ -150,8 +150,8 @@ def cell_attributes(mesh: Mesh, cell: int) -> dict[str, Any]:
     return found
 
 
-def where(opened: Opened, cell: int) -> dict[str, Any]:
-    """Tell where a cell lies, in drawing coordinates.
+def where(drawn_mesh: DrawnMesh, cell: int) -> dict[str, Any]:
+    """Tell where a cell is drawn, in drawing coordinates.
 
     Returns
     -------
@@ -159,23 +159,23 @@ def where(opened: Opened, cell: int) -> dict[str, Any]:
         `centre` ([x, y, z]), `size` (of its box's diagonal), `edges` ((6 n,) float32: both ends of each edge that
         has not vanished).
     """
-    mesh, frame = opened.mesh, opened.drawn_mesh.frame
+    mesh, frame, moved = drawn_mesh.whole, drawn_mesh.frame, drawn_mesh.moved(cell)
     own = mesh.coordinates[:, mesh.corners[:, cell]]
     low, high = own.min(axis=1), own.max(axis=1)
-    centre = (low / 2 + high / 2 - frame.centre) / frame.diagonal
+    centre = (low / 2 + high / 2 - frame.centre) / frame.diagonal + moved
     return {
         "centre": centre.tolist(),
         "size": float(np.sqrt(((high - low) ** 2).sum())) / frame.diagonal,
-        "edges": _edges(mesh, frame, cell),
+        "edges": _edges(mesh, frame, cell, moved),
     }
 
 
-def _edges(mesh: Mesh, frame: Frame, cell: int) -> NDArray[np.float32]:
+def _edges(mesh: Mesh, frame: Frame, cell: int, moved: Floats) -> NDArray[np.float32]:
     """Both ends of a cell's edges in drawing coordinates, each edge once."""
     corners = mesh.corners[:, cell]
     pairs = {tuple(sorted((int(corners[a]), int(corners[b])))) for a, b in EDGES if corners[a] != corners[b]}
     ends = mesh.points[np.array(sorted(pairs), dtype=np.intp).reshape(-1)]
-    return np.asarray((ends - frame.centre) / frame.diagonal, dtype=np.float32).reshape(-1)
+    return np.asarray((ends - frame.centre) / frame.diagonal + moved, dtype=np.float32).reshape(-1)
 
 
 def finding_cells(opened: Opened, finding: str) -> NDArray[np.uint32]:

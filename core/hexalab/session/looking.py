@@ -73,16 +73,45 @@ class Look(NamedTuple):
     @property
     def drawn(self) -> Look:
         """What of it matters to cells and surfaces, but not to curves."""
+        if self.form == "cells" and not (self.chosen or self.explode):
+            return NOTHING  # all cells are drawn, where they are
+        if self.form == "surfaces" and self.kind not in ("sheets", "blocks"):
+            return NO_CELLS
         return self._replace(base="", curves=False)
+
+    @property
+    def lined(self) -> Look:
+        """What of it matters to curves."""
+        if self.kind == "arcs" or self.passing:
+            return self
+        return NOTHING._replace(base=self.base, curves=self.curves, explode=self.explode)
+
+    @property
+    def passing(self) -> bool:
+        """Whether chords are drawn as curves, which pass the shown cells alone."""
+        return self.kind == "chords" and self.form == "surfaces"
+
+    @property
+    def parted(self) -> Look:
+        """What of it matters to which cells are faint."""
+        return self.drawn if self.form == "cells" else NO_CELLS
+
+    @property
+    def told_apart(self) -> Look:
+        """What of it matters to colours by what was chosen."""
+        return NOTHING._replace(kind=self.kind, chosen=self.chosen, variant=self.variant)
 
     @property
     def curved(self) -> bool:
         """Whether there are curves or points to be drawn."""
-        return self.curves or self.kind == "arcs" or (self.kind == "chords" and self.form == "surfaces")
+        return self.curves or self.kind == "arcs" or self.passing
 
 
 NOTHING = Look("none", (), "cells", "", "whole", False, 0.0)
 """Nothing of the structure is looked at."""
+
+NO_CELLS = NOTHING._replace(form="surfaces")
+"""What is looked at is not drawn as cells."""
 
 
 class Onlooker:
@@ -151,8 +180,10 @@ class Onlooker:
             chosen = np.full(graph.count, not look.chosen)
             chosen[self.chosen(look)] = True
             drawing.arcs(self._drawn_mesh, graph, chosen)
-        if look.kind == "chords" and look.form == "surfaces":
-            drawing.chords(self._drawn_mesh, frame, self.structure.chords, self.chosen(look), shown)
+        if look.passing:
+            chords = self.structure.chords
+            some = self.chosen(look) if look.chosen else np.arange(chords.count, dtype=np.int32)
+            drawing.chords(self._drawn_mesh, frame, chords, some, shown)
         if look.curves:
             drawing.base_complex(drawn_mesh, frame, skeleton_of(self.structure, look.base))
         return drawing.record()

@@ -89,7 +89,7 @@ class Opened:
     @cached_property
     def traced(self) -> TracedBook:
         """The structure of the whole mesh."""
-        return TracedBook(self.drawn_mesh)
+        return TracedBook(self.mesh)
 
     @cached_property
     def onlooker(self) -> Onlooker:

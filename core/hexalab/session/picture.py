@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..quality import METRICS
-from ..surface import LINED, ExplodedMesh, extract_arrows, extract_silhouette, extract_surface
+from ..surface import LINED, DrawnMesh, ExplodedMesh, extract_arrows, extract_silhouette, extract_surface
 from ..surface.curves import Drawing
 from .looking import NOTHING, Look
 from .opened import Opened
@@ -97,7 +97,7 @@ class Picture:
             self._version,
             cells,
             self._filters if cells not in ("none", "all") else None,
-            self._look.drawn,
+            self._look.parted,
         )
         wanted = cells != "none" or self._solid is not self.shown
         self._renew_wanted(parts, "see_through", wanted, seen, self._extract_see_through, cells)
@@ -117,9 +117,13 @@ class Picture:
         self._renew_wanted(
             parts, "marks", self.opened.marks.wanted(marks), marked, self._extract_marks, marks
         )
-        self._renew_wanted(
-            parts, "curves", self._look.curved, (self._version, self._look), self._extract_curves
-        )
+        curves = (self._version if self._look.passing else None, self._look.lined)
+        self._renew_wanted(parts, "curves", self._look.curved, curves, self._extract_curves)
+
+    @property
+    def drawn_mesh(self) -> DrawnMesh:
+        """The mesh as it is drawn: in pieces, if blocks are drawn apart."""
+        return self._drawn_mesh
 
     def forget(self) -> None:
         """Let the next update return every record: what was made last has not come to whoever draws it."""
@@ -190,7 +194,7 @@ class Picture:
     def _colour_key(self, colour: Settings) -> tuple[Any, ...]:
         """What the colours are made from."""
         quantity, mapped = quantity_of(colour), colour["by"] in ("quality", "attribute")
-        look = {"block": self._look.base, "chosen": self._look.drawn}.get(colour["by"])
+        look = {"block": self._look.base, "chosen": self._look.told_apart}.get(colour["by"])
         return quantity, _frozen(colour["range"]) if mapped else None, look
 
     def _filter(self, filters: Settings) -> None:

@@ -11,7 +11,7 @@ from ..packing import pack
 from .opened import Opened
 from .picture import Picture
 
-RECORDS = ("surface", "silhouette", "see_through", "irregular", "arrows", "marks", "colour")
+RECORDS = ("surface", "silhouette", "see_through", "irregular", "arrows", "marks", "curves", "colour")
 """What of a picture it holds."""
 
 

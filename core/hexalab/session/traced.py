@@ -9,6 +9,7 @@ import numpy as np
 
 from ..arrays import Array, Floats
 from ..errors import HexaLabError
+from ..mesh import Mesh
 from ..structure import Structure, facts_of
 from ..structure.matrix import sheet_pairs
 from ..structure.members import base_of, cells_of, graph_of
@@ -32,17 +33,20 @@ STEPS: dict[str, Callable[[Structure], object]] = {
 """What is traced one after the other, so that other questions can come between."""
 
 
+THINGS = ("arcs", "sheets", "chords", "blocks")
+"""What cells are told by."""
+
+
 class TracedBook:
     """The structure of a mesh, each part found when it is first asked for.
 
     Parameters
     ----------
-    drawn_mesh : DrawnMesh
+    mesh : Mesh
     """
 
-    def __init__(self, drawn_mesh: DrawnMesh) -> None:
-        self._drawn_mesh = drawn_mesh
-        self.structure = Structure(drawn_mesh.whole)
+    def __init__(self, mesh: Mesh) -> None:
+        self.structure = Structure(mesh)
         self._done = 0
 
     def trace(self) -> dict[str, Any]:
@@ -117,12 +121,22 @@ class TracedBook:
             "block": block,
         }
 
-    def box(self, kind: str, numbers: list[int], variant: str) -> dict[str, Any] | None:
-        """`centre` and `size` (of its diagonal), in drawing coordinates, of the box around things; None without any."""
+    def box(
+        self, kind: str, numbers: list[int], variant: str, drawn_mesh: DrawnMesh
+    ) -> dict[str, Any] | None:
+        """`centre` and `size` (of its diagonal), in drawing coordinates, of the box around things; None without any.
+
+        Raises
+        ------
+        HexaLabError
+            There are no things of that kind.
+        """
+        if kind not in THINGS:
+            raise HexaLabError(f"a structure has no {kind!r}, but {', '.join(THINGS)}")
         cells = np.flatnonzero(cells_of(self.structure, kind, numbers, variant))
         if not len(cells):
             return None
-        points = self._drawn_mesh.points(self._drawn_mesh.mesh.corners[:, cells]).reshape(3, -1)
+        points = drawn_mesh.points(drawn_mesh.mesh.corners[:, cells]).reshape(3, -1)
         low, high = np.nanmin(points, axis=1).astype(float), np.nanmax(points, axis=1).astype(float)
         return {"centre": (low / 2 + high / 2).tolist(), "size": float(np.hypot.reduce(high - low))}
 

@@ -6,6 +6,7 @@ from typing import Any
 
 from ..packing import jsonable
 from .opened import Opened
+from .picture import Picture
 
 Result = dict[str, Any]
 
@@ -14,6 +15,9 @@ class Tracing:
     """What a session is asked about structure. Whatever is asked is traced then, if it was not before."""
 
     def _open_mesh(self) -> Opened:
+        raise NotImplementedError
+
+    def _drawn(self) -> Picture:
         raise NotImplementedError
 
     def trace(self) -> Result:
@@ -65,5 +69,5 @@ class Tracing:
         return self._open_mesh().traced.pairs()
 
     def structure_box(self, kind: str, numbers: list[int], variant: str = "whole") -> Result | None:
-        """Tell where some arcs, sheets, chords or blocks lie: `centre` and `size` in drawing coordinates, or None."""
-        return self._open_mesh().traced.box(kind, numbers, variant)
+        """Tell where arcs, sheets, chords or blocks are drawn: `centre` and `size` in drawing coordinates, or None."""
+        return self._open_mesh().traced.box(kind, numbers, variant, self._drawn().drawn_mesh)

@@ -66,6 +66,11 @@ class DrawnMesh:
         faces = self.topology.faces
         return np.asarray((rows < faces.paired) | (rows >= faces.boundary_end))
 
+    def moved(self, cell: int) -> Floats:
+        """(3,) float64: how far a cell is drawn from its place, in drawing coordinates."""
+        del cell
+        return np.zeros(3)
+
     def points(self, vertices: Array) -> Floats32:
         """Drawing coordinates of vertices of any shape, axis first."""
         out = np.empty((3, *vertices.shape), np.float32)

@@ -30,6 +30,8 @@ class Pieces:
         pieces that share them, then copies for the others.
     piece : (V',) int32
         The piece that it belongs to.
+    labels : (C,) int32
+        Piece of each cell.
 
     Examples
     --------
@@ -42,13 +44,13 @@ class Pieces:
     def __init__(self, drawn_mesh: DrawnMesh, labels: Ids) -> None:
         self.drawn_mesh = drawn_mesh
         mesh = drawn_mesh.mesh
-        self._labels = np.where(labels < 0, labels.max(initial=-1) + 1, labels).astype(np.int32)
+        self.labels = np.where(labels < 0, labels.max(initial=-1) + 1, labels).astype(np.int32)
         owner = np.zeros(mesh.vertex_count, np.int32)
         for corner in mesh.corners:
-            owner[corner] = self._labels  # the last writer has it
-        foreign = [np.flatnonzero(owner[corner] != self._labels) for corner in mesh.corners]
+            owner[corner] = self.labels  # the last writer has it
+        foreign = [np.flatnonzero(owner[corner] != self.labels) for corner in mesh.corners]
         keys = [
-            corner[cells].astype(np.int64) * self.count + self._labels[cells]
+            corner[cells].astype(np.int64) * self.count + self.labels[cells]
             for corner, cells in zip(mesh.corners, foreign, strict=True)
         ]
         copies, place = np.unique(np.concatenate(keys), return_inverse=True)
@@ -74,15 +76,15 @@ class Pieces:
 
     @property
     def count(self) -> int:
-        """Number of pieces."""
-        return int(self._labels.max(initial=-1)) + 1
+        """Number of pieces, one at least."""
+        return int(self.labels.max(initial=0)) + 1
 
     @cached_property
     def middles(self) -> Floats:
         """(3, P) float64: the mean of each piece's barycentres in drawing coordinates; 0 where it is not finite."""
-        cells = np.bincount(self._labels, minlength=self.count)
+        cells = np.bincount(self.labels, minlength=self.count)
         frame = self.drawn_mesh.frame
-        sums = [np.bincount(self._labels, axis, self.count) for axis in self.drawn_mesh.mesh.barycentres]
+        sums = [np.bincount(self.labels, axis, self.count) for axis in self.drawn_mesh.mesh.barycentres]
         with np.errstate(all="ignore"):
             means: Floats = np.stack(sums) / np.maximum(cells, 1)
             means = (means - frame.centre[:, None]) / frame.diagonal
@@ -113,6 +115,10 @@ class ExplodedMesh(DrawnMesh):
         for axis in range(3):
             out[axis] += shift[axis][self.pieces.piece]
         return out
+
+    def moved(self, cell: int) -> Floats:
+        """(3,) float64: how far a cell is drawn from its place, in drawing coordinates."""
+        return np.asarray(self.share * self.pieces.middles[:, self.pieces.labels[cell]])
 
     def exposed(self, rows: Array) -> NDArray[np.bool_]:
         """Which faces, by their rows, are not the whole mesh's own boundary."""

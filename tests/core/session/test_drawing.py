@@ -67,7 +67,9 @@ def test_V3_hidden_cells_that_are_seen_through_are_those_that_were_chosen(block:
     assert cells(block.update({"see_through": {"cells": "picking"}})) == [3]
     assert "see_through" not in block.update({"filters": {"peel": {"depth": 1}}}, lean=True)
     assert cells(block.update()) == [3]
-    assert set(block.update({"see_through": {"cells": "none"}})) & RECORDS == set()
+    off = block.update({"see_through": {"cells": "none"}})
+    assert set(off) & RECORDS == {"see_through"} and cells(off) == [], "once more, empty"
+    assert set(block.update()) & RECORDS == set()
 
 
 def test_R8_arrows_follow_the_shown_cells_the_attribute_and_the_gap(session: Session) -> None:

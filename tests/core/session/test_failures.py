@@ -94,4 +94,6 @@ def test_R10_after_an_update_that_failed_the_next_brings_the_whole_picture(
 def test_R10_the_whole_picture_comes_when_it_is_asked_for(block: Session) -> None:
     block.update({"colour": {"by": "quality"}})
     assert not block.update().keys() & RECORDS
-    assert block.update({}, False, True).keys() & RECORDS == {"surface", "silhouette", "colour"}
+    came = block.update({}, False, True)
+    assert came.keys() & RECORDS == {"surface", "silhouette", "see_through", "colour"}
+    assert not len(came["see_through"]["faces"]), "what was switched off may be on the screen still"

@@ -7,6 +7,7 @@ import json
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -18,14 +19,17 @@ from hexalab.mesh import Mesh
 from hexalab.packing import unpack
 from hexalab.session import DESCRIBED, Session, prepared
 from hexalab.session.door import METHODS, Door
+from hexalab.session.traced import STEPS
 from hexalab.session.warm_up import grid
 from hexalab.status import DEFAULTS
+from hexalab.structure import TABLES
 from tests.core.session.test_groups import row_of_cubes
 from tests.core.session.typedefs import Shapes, Typedef, parts, typedefs
 
 RECORDS = typedefs("geometry/records.js")
 ANSWERS = typedefs("state/answers.js") | {name: RECORDS[name] for name in RECORDS if name != "MeshFrame"}
 ASKED = typedefs("core/types.js")["Methods"].properties
+REPOSITORY = Path(__file__).resolve().parents[3] / "repository"
 ONE = write_bytes(grid(1), "mesh")
 OPAQUE = ("PartialStatus", "SeparationMode")
 
@@ -89,6 +93,7 @@ def answers(attributed: bytes, infinite: bytes) -> Iterator[tuple[str, Any]]:
     yield "inspect", core.ask("inspect", 0)
     for quantity in ("relative_size_squared", "point:flow", "cell:load"):
         yield "value", core.ask("value", 0, quantity)
+    yield from structured_answers()
     yield "measure_sizes", core.ask("measure_sizes")
     yield "cell_view", core.ask("cell_view", 0)
     yield "cut_to", core.ask("cut_to", 0, [0, 0, 1])
@@ -120,6 +125,39 @@ def grouped_answers() -> Iterator[tuple[str, Any]]:
     yield "find", core.ask("find", "vertex", 5)
     yield "cell_list", core.ask("cell_list", [0, 1], "elset", "BAD")
     yield "inspect", core.ask("inspect", 2)
+
+
+def structured_answers() -> Iterator[tuple[str, Any]]:
+    """Answers on a mesh whose structure is traced, but for cells of other kinds."""
+    mixed = read_bytes((REPOSITORY / "structures" / "mixed.mesh").read_bytes(), "mixed.mesh")
+    core = Conversation({"mixed": lambda: prepared(mixed)})
+    yield "open_offered", core.ask("open_offered", "mixed")
+    yield "inspect", core.ask("inspect", 0)
+    for _ in STEPS:
+        yield "trace", core.ask("trace")
+    yield "structure_facts", core.ask("structure_facts")
+    yield "structure_facts", core.ask("structure_facts", True)
+    for table in TABLES:
+        yield "structure_table", core.ask("structure_table", table, "interior")
+        yield "structure_csv", core.ask("structure_csv", table)
+    yield "sheet_pairs", core.ask("sheet_pairs")
+    whole = Conversation()
+    whole.ask("open_offered", "one")
+    yield "structure_facts", whole.ask("structure_facts")
+    for numbers in ([0], []):
+        yield "structure_box", core.ask("structure_box", "sheets", numbers)
+    for cell in (0, mixed.cell_count - 1):
+        yield "inspect", core.ask("inspect", cell)
+        yield "value", core.ask("value", cell, "structure:sheets")
+    yield "save_cells", core.ask("save_cells", "vtu", [], None, True)
+    for kind, form in (
+        ("arcs", "cells"),
+        ("sheets", "surfaces"),
+        ("chords", "surfaces"),
+        ("blocks", "cells"),
+    ):
+        look = {"kind": kind, "form": form, "chosen": [0], "curves": True, "explode": 0.5}
+        yield "update", core.ask("update", {"structure": look, "colour": {"by": "chosen"}}, False, True)
 
 
 PLANE = {"enabled": True, "normal": [1, 0, 0], "offset": 0}
@@ -164,6 +202,7 @@ def test_A1_the_typedefs_of_answers_are_what_a_session_answers(attributed: bytes
         {"silhouette": 0, "irregular": {"mode": 0}},
         {"see_through": {"cells": "all"}, "arrows": arrows},
         {"marks": {"sharp_angle": 30}},
+        {"structure": {"kind": "sheets", "form": "surfaces", "curves": True}},
     ):
         assert shapes.wrong(unpack(preview.preview(other)), "Preview") == []
     assert asked == set(METHODS)

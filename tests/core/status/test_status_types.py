@@ -34,4 +34,4 @@ def test_S1_every_setting_of_the_defaults_is_in_the_type() -> None:
 
     told = set(re.findall(r"readonly (\w+):", FILE.read_text()))
     assert names(DEFAULTS) <= told
-    assert told - names(DEFAULTS) == {"quantity", "keep", "minimum", "maximum"}, "those of a quality band"
+    assert told - names(DEFAULTS) == {"quantity", "minimum", "maximum"}, "those of a quality band"

@@ -13,12 +13,12 @@ import numpy as np
 import pytest
 
 from hexalab.surface import MODES
-from hexalab.surface.records import Arrows, Irregular, Marks, Silhouette, Surface
+from hexalab.surface.records import Arrows, Curves, Irregular, Marks, Silhouette, Surface
 
 TYPEDEFS = (Path(__file__).parents[3] / "static/viewer/geometry/records.js").read_text(encoding="utf-8")
 
 ARRAYS = {"float32": "Float32Array", "int16": "Int16Array", "uint8": "Uint8Array", "uint32": "Uint32Array"}
-NAMES = {str: "string", int: "number", float: "number"}
+NAMES = {str: "string", bool: "boolean", int: "number", float: "number"}
 CHOICES = {("Surface", "mode"): "SeparationMode"}
 
 
@@ -41,7 +41,7 @@ def in_javascript(hint: Any) -> str:
     return NAMES[hint]
 
 
-@pytest.mark.parametrize("record", [Surface, Silhouette, Irregular, Arrows, Marks])
+@pytest.mark.parametrize("record", [Surface, Silhouette, Irregular, Curves, Arrows, Marks])
 def test_the_viewer_calls_every_field_by_its_name_and_type(record: type) -> None:
     hints = typing.get_type_hints(record)
     expected = {
