@@ -107,9 +107,9 @@ def test_T2_T3_numbers_change_nothing(data: st.DataObject) -> None:
     other, order = data.draw(turned(cells))
     _, one = both(cells)
     _, two = both(other)
-    first, second = one.base_complex.blocks, two.base_complex.blocks
+    first, second = one.base_complex, two.base_complex
     assert parts(first.of_cells[order]) == parts(second.of_cells)
-    assert sorted(first.dimensions.tolist()) == sorted(second.dimensions.tolist())
+    assert sorted(first.blocks.dimensions.tolist()) == sorted(second.blocks.dimensions.tolist())
     for a, b in ((one.sheets, two.sheets), (one.chords, two.chords)):
         assert a.count == b.count
         through = np.sort(a.of_cells[:, order], axis=0).T.tolist(), np.sort(b.of_cells, axis=0).T.tolist()
