@@ -57,6 +57,10 @@ def said() -> set[str]:
     return set()
 
 
+SINGLE = ("mode", "quads", "two_sided")
+"""Fields of the surface of a flat mode that are no arrays."""
+
+
 def test_A1_a_whole_conversation(ask: Ask, said: set[str], attributed: bytes, twisted: bytes) -> None:
     def say(method: str, *args: Any) -> Any:
         said.add(method)
@@ -77,12 +81,13 @@ def test_A1_a_whole_conversation(ask: Ask, said: set[str], attributed: bytes, tw
     first = say("update")
     assert (first["shown_cells"], first["shown_faces"], first["pending"]) == (6, 22, ["irregular"])
     surface = first["surface"]
-    assert {name: array.dtype for name, array in surface.items() if name not in ("mode", "quads")} == {
+    assert {name: array.dtype for name, array in surface.items() if name not in SINGLE} == {
         "positions": np.float32, "normals": np.int16, "cells": np.uint32, "inside": np.uint8,
         "faces": np.uint32, "edges": np.float32, "edge_cells": np.uint8,
         "edge_faces": np.uint32,
     }  # fmt: skip
-    assert (surface["mode"], surface["quads"], len(surface["faces"])) == ("lines", None, 22)
+    assert [surface[name] for name in SINGLE] == ["lines", None, False]
+    assert len(surface["faces"]) == 22
     low, high = (
         surface["positions"].reshape(-1, 3).min(axis=0),
         surface["positions"].reshape(-1, 3).max(axis=0),
