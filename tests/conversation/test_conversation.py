@@ -170,8 +170,36 @@ def test_A1_a_whole_conversation(ask: Ask, said: set[str], attributed: bytes, tw
     assert (cells.dtype, cells.tolist()) == (np.uint32, [1])
     assert say("validity")["invalid_cells"].tolist() == [1]
 
+    say("open", "grid.vtk", attributed)
+    talk_of_structure(say)
     talk_of_groups(say)
     assert said == set(METHODS), "every method is asked for once at least"
+
+
+def talk_of_structure(say: Callable[..., Any]) -> None:
+    """Of a box of 3 x 2 x 1 cells: six sheets, eleven chords, one block, and no irregular edge inside."""
+    assert say("inspect", 0)["structure"] is None
+    steps = [say("trace")]
+    while steps[-1]["next"]:
+        steps.append(say("trace"))
+    assert [step["done"] for step in steps] == list(range(1, steps[-1]["of"] + 1))
+    facts = say("structure_facts")
+    assert (facts["sheets"]["count"], facts["chords"]["count"], facts["class"]) == (6, 11, "regular")
+    assert facts["base_complex"]["dims"] == {"1x2x3": 1}
+    table = say("structure_table", "blocks")
+    columns = {column["id"]: column["values"] for column in table["columns"]}
+    assert (table["rows"], columns["cells"].tolist(), columns["cells"].dtype) == (1, [6], np.int32)
+    assert say("structure_csv", "blocks").splitlines() == ["number,cells,kind,i,j,k", "0,6,box,1,2,3"]
+    pairs = say("sheet_pairs")
+    crossing = pairs["crossings"] > 0
+    assert (pairs["count"], np.count_nonzero(crossing)) == (6, 3 * 2 + 2 * 1 + 3 * 1)
+    sheets = say("inspect", 0)["structure"]["sheets"]
+    assert len(set(sheets)) == 3
+    assert say("structure_box", "blocks", [0])["centre"] == pytest.approx([0, 0, 0])
+    looked = say("update", {"structure": {"kind": "sheets", "chosen": sheets[:1], "form": "surfaces"}})
+    assert looked["surface"]["two_sided"] is True
+    assert len(looked["see_through"]["faces"]) == 22
+    say("update", {"structure": {"kind": "none"}})
 
 
 def talk_of_groups(say: Callable[..., Any]) -> None:
