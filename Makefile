@@ -41,8 +41,9 @@ test-core: .venv/.ready
 test-firefox: node_modules/.ready
 	$(SCREEN) node --test tests/firefox/*.test.js
 
+# Files go out in the order of their names: those of the browser, which take longest, first.
 test-browser: .venv/.ready
-	$(BIN)/pytest --ignore=tests/core -n 2 --dist loadfile
+	$(BIN)/pytest --ignore=tests/core -n 2 --dist loadfile --no-loadscope-reorder
 
 test-viewer: node_modules/.ready
 	node --test $$(find tests/viewer -name "*.test.js")
