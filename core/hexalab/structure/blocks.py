@@ -84,7 +84,8 @@ def measured(frame: Frame, complex_faces: NDArray[np.bool_], labels: Ids, count:
     kinds[closed] = np.where(faces[closed] > 0, SHELL, SOLID)
     closing = kinds != BOX
     if closing.any():
-        kinds[turned_blocks(frame, complex_faces, labels, closing)] = TWISTED
+        turned = turned_blocks(frame, complex_faces, labels, closing)
+        kinds[turned], dimensions[turned] = TWISTED, 0
     return Blocks(cells, kinds, dimensions)
 
 

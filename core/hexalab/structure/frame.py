@@ -1,7 +1,7 @@
 """The hexahedra of a mesh with their faces and edges: what structure is traced in.
 
-Cells that are no hexahedra, or repeat a vertex, are left out: towards them the mesh ends. So it does at a face
-of more than two cells, where there is no way on: each of its cells has that face for itself.
+Cells that are no hexahedra, or repeat a vertex or another cell, are left out: towards them the mesh ends. So it
+does at a face of more than two cells, where there is no way on: each of its cells has that face for itself.
 """
 
 from __future__ import annotations
@@ -72,14 +72,16 @@ class Frame:
         Of these cells alone.
     cells : (N,) int32 or None
         Their rows in the mesh; None if they are all of it.
-    others, repeating : int
-        Cells of the mesh that are left out: those of another kind, and hexahedra that repeat a vertex.
+    others, repeating, again : int
+        Cells of the mesh that are left out: those of another kind, hexahedra that repeat a vertex, and those that
+        are there once already.
     """
 
     topology: Topology
     cells: Ids | None
     others: int
     repeating: int
+    again: int
 
     @classmethod
     def of(cls, mesh: Mesh) -> Frame:
@@ -88,11 +90,14 @@ class Frame:
         hexahedra = mesh.kinds == HEXAHEDRON
         repeating = topology.repeating_cells & hexahedra
         proper = hexahedra & ~repeating
+        again = topology.repeated_cells[proper[topology.repeated_cells]]
+        proper[again] = False
         cells = None if proper.all() else np.flatnonzero(proper).astype(np.int32)
         if cells is not None:
             corners = np.ascontiguousarray(mesh.corners[:, cells])
             topology = Topology(corners, topology.vertex_count)
-        return cls(topology, cells, int(np.count_nonzero(~hexahedra)), int(np.count_nonzero(repeating)))
+        left_out = int(np.count_nonzero(~hexahedra)), int(np.count_nonzero(repeating)), len(again)
+        return cls(topology, cells, *left_out)
 
     @property
     def skipped(self) -> str:
@@ -107,7 +112,7 @@ class Frame:
                 "faces have their vertices in another order in their other cell",
             ),
             (
-                len(self.topology.repeated_cells),
+                self.again,
                 "cell has the same eight vertices as another",
                 "cells have the same eight vertices as others",
             ),

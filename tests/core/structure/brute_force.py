@@ -151,9 +151,9 @@ class Slow:
         ]
         return classes(range(len(self.cells)), links)  # type: ignore[arg-type]
 
-    def skeleton(self) -> tuple[int, int, int, int]:
+    def skeleton(self, inside_only: bool = False) -> tuple[int, int, int, int]:
         """Numbers of base vertices, base edges with ends, those without, base faces."""
-        complex_faces = self.walls() | self.boundary
+        complex_faces = self.walls(inside_only=inside_only) | self.boundary
         edges = {edge for edge, faces in self.edge_faces.items() if faces <= complex_faces}
         at: dict[int, list[Set]] = defaultdict(list)
         for edge in edges:
