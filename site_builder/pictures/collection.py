@@ -1,4 +1,4 @@
-"""All pictures that stand in the gallery, the guide and the manifest, and where each lies in the site."""
+"""All pictures that stand in the gallery, the guide's pages and the manifest, and where each lies in the site."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from ..model.catalogue import Catalogue, MeshEntry
 from .gallery import SECTIONS
 from .guide import FIGURES
+from .lessons import LESSONS
 from .portrait import view_of
 from .recipe import Recipe
 from .screens import SCREENS
@@ -48,12 +49,13 @@ class Figure:
 
 @dataclass(frozen=True)
 class Section:
-    """Pictures of the gallery that are to be compared."""
+    """Pictures of the gallery that are to be compared; `more`, a page of the site and what is said of it."""
 
     id: str
     title: str
     text: str
     figures: tuple[Figure, ...]
+    more: tuple[str, str] = ("", "")
 
 
 class Collection:
@@ -68,11 +70,12 @@ class Collection:
     def __init__(self, catalogue: Catalogue) -> None:
         here = {mesh.id: mesh for mesh in catalogue.meshes if mesh.local and mesh.sha256}
         self.gallery = [
-            Section(section.id, section.title, section.text, tuple(figures.values()))
+            Section(section.id, section.title, section.text, tuple(figures.values()), section.more)
             for section in SECTIONS
             if (figures := _figures(section.recipes, f"gallery/{section.id}-", here))
         ]
         self.guide = _figures(FIGURES, "guide/", here)
+        self.lessons = _figures(LESSONS, "guide/structure/", here)
         self.screens = _figures(SCREENS, "screens/", here)
 
     @property
@@ -81,6 +84,7 @@ class Collection:
         everything = [
             *(figure for section in self.gallery for figure in section.figures),
             *self.guide.values(),
+            *self.lessons.values(),
             *self.screens.values(),
         ]
         return {figure.address: figure.shot for figure in everything}
