@@ -32,8 +32,8 @@ COMPARED = (
 
 CHAPTERS = (
     ("irregular", "Irregular edges and valence"), ("graph", "Arcs and loops"), ("nodes", "Types of nodes"),
-    ("sheets", "Sheets"), ("kinds-of-sheets", "Kinds of sheets"), ("crossing", "Sheets that meet"), ("chords", "Chords"),
-    ("base-complex", "Base complex and blocks"), ("kinds-of-blocks", "Boxes and rings"),
+    ("sheets", "Sheets"), ("kinds-of-sheets", "Kinds of sheets"), ("crossing", "Sheets that meet"),
+    ("chords", "Chords"), ("base-complex", "Base complex and blocks"), ("kinds-of-blocks", "Boxes and rings"),
     ("variants", "Whole and interior"), ("base-sheets", "Base sheets and base chords"),
     ("misaligned", "Seven blocks or 57"), ("classes", "Regular, polycube, and no other word"),
     ("context", "Focus and context"), ("filters", "Filters and colours"), ("octree", "Octree-like meshes"),

@@ -14,8 +14,8 @@ ABOVE = (-0.45, 0.7, -0.75)
 SIDE_BY_SIDE = (0, 3, 4, 5, 6, 7)
 """Sheets of shapes/sphere that pass the same blocks, one beside the other."""
 
-BUNDLE = (0, 13, 20, 27, 34, 41, 48, 55, *range(62, 90, 7))
-"""Chords of shapes/sphere that pass the same blocks."""
+BUNDLE = (0, 20, 41, 72, 80, 83, 96, 104, 107)
+"""Chords of shapes/sphere that pass the same blocks, some way from each other."""
 
 
 def around(valence: int, words: str) -> Recipe:
@@ -227,7 +227,7 @@ BLOCKS = {
         "chords",
         *BUNDLE,
         title="A base chord",
-        sentence="Some of the 36 chords that pass the same three blocks.",
+        sentence="Nine of the 36 chords that pass the same three blocks.",
     ),
     "winding": look(
         "layouts/winding-walls",

@@ -110,7 +110,7 @@ def test_S2_a_link_of_the_gallery_brings_the_same_picture_back(page: Page, site:
 
 
 def test_V8_gallery_and_guide_have_all_their_pictures(page: Page, site: str):
-    for address, count in (("gallery/", 44), ("guide/", 16)):
+    for address, count in (("gallery/", 52), ("guide/", 17), ("guide/structure/", 35)):
         page.goto(f"{site}/{address}")
         page.evaluate("() => document.querySelectorAll('img').forEach((image) => (image.loading = 'eager'))")
         page.wait_for_function("() => [...document.images].every((image) => image.complete)")
