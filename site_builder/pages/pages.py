@@ -26,6 +26,7 @@ from .indexes import INDEX_VERSION
 from .keeping import connections, weight
 from .picture_pages import gallery_values, guide_values
 from .structure import figures, tallies
+from .structure_guide import structure_guide_values
 
 FIRST = 24
 """Cards that the front page shows before anybody searches."""
@@ -92,6 +93,7 @@ class Pages:
         yield "", self.front()
         yield "gallery/", self.gallery()
         yield "guide/", self.guide()
+        yield "guide/structure/", self.structure()
         yield "guide/embedding/", self.embedding()
         yield "embed/", self.embed()
         yield "about/", self.about()
@@ -160,6 +162,11 @@ class Pages:
     def guide(self) -> str:
         """What each tool does, with a picture."""
         return self._render("guide", "guide/", **guide_values(self._collection))
+
+    def structure(self) -> str:
+        """What the words of the global structure mean, each with a picture."""
+        values = structure_guide_values(self._catalogue, self._collection)
+        return self._render("structure_guide", "guide/structure/", **values)
 
     def embedding(self) -> str:
         """How a mesh is shown in another page, with examples that run."""

@@ -1,4 +1,4 @@
-"""All pictures that stand in the gallery, the guide and the manifest, and where each lies in the site."""
+"""All pictures that stand in the gallery, the guide's pages and the manifest, and where each lies in the site."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from ..model.catalogue import Catalogue, MeshEntry
 from ..model.stills import Still, StillSection
 from .gallery import SECTIONS
 from .guide import FIGURES
+from .lessons import LESSONS
 from .portrait import view_of
 from .recipe import Recipe
 from .screens import SCREENS
@@ -53,12 +54,13 @@ class Figure:
 
 @dataclass(frozen=True)
 class Section:
-    """Pictures of the gallery that are to be compared."""
+    """Pictures of the gallery that are to be compared; `more`, a page of the site and what is said of it."""
 
     id: str
     title: str
     text: str
     figures: tuple[Figure, ...]
+    more: tuple[str, str] = ("", "")
 
 
 class Collection:
@@ -75,7 +77,7 @@ class Collection:
     def __init__(self, catalogue: Catalogue, sections: Sequence[StillSection] = ()) -> None:
         here = {mesh.id: mesh for mesh in catalogue.meshes if mesh.local and mesh.sha256}
         self.gallery = [
-            Section(section.id, section.title, section.text, tuple(figures.values()))
+            Section(section.id, section.title, section.text, tuple(figures.values()), section.more)
             for section in SECTIONS
             if (figures := _figures(section.recipes, f"gallery/{section.id}-", here))
         ]
@@ -83,6 +85,7 @@ class Collection:
             Section(one.id, one.title, one.text, tuple(map(_still_figure, one.stills))) for one in sections
         ]
         self.guide = _figures(FIGURES, "guide/", here)
+        self.lessons = _figures(LESSONS, "guide/structure/", here)
         self.screens = _figures(SCREENS, "screens/", here)
 
     @property
@@ -90,6 +93,7 @@ class Collection:
         return [
             *(figure for section in self.gallery for figure in section.figures),
             *self.guide.values(),
+            *self.lessons.values(),
             *self.screens.values(),
         ]
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from .recipe import Recipe
 from .shot import Status
+from .structures import GALLERY
 
 WIRELESS: Status = {"irregular": {"mode": 0}}
 LATTICE, NOISY, PADDED = "shapes/lattice", "sizes/grid-1000", "structures/padded-cube"
@@ -50,12 +51,13 @@ LIGHTS = {
 
 @dataclass(frozen=True)
 class SectionRecipe:
-    """A row of pictures, by the names of their files."""
+    """A row of pictures, by the names of their files; `more`, a page of the site and what is said of it."""
 
     id: str
     title: str
     text: str
     recipes: dict[str, Recipe]
+    more: tuple[str, str] = ("", "")
 
 
 def _by_light(mode: str) -> SectionRecipe:
@@ -291,6 +293,13 @@ SECTIONS = (
         "Irregular edges",
         "Interior edges with other than four cells around them: red for three, green for five, blue for six and more.",
         STRUCTURES,
+    ),
+    SectionRecipe(
+        "global-structure",
+        "Structure",
+        "What a mesh consists of as a whole: blocks, sheets, chords, arcs.",
+        GALLERY,
+        more=("guide/structure/", "The guide explains the words."),
     ),
 )
 """Sections of the gallery in their order."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from .gallery import LATTICE, NOISY, PADDED, WIDE_RANGE
 from .recipe import Recipe
 from .shot import Status
+from .structures import GALLERY
 
 ROUNDED: Status = {"separation": {"mode": "rounded", "radius": 0.09}}
 BY_QUALITY: Status = {"colour": {"by": "quality"}}
@@ -30,6 +31,7 @@ FIGURES = {
     "silhouette": Recipe("shapes/gear", {"silhouette": 1}, ROUNDED),
     "see-through": Recipe("shapes/nozzle", {"see_through": {"cells": "cut", "opacity": 0.2}}, ROUNDED),
     "irregular": Recipe(PADDED, {"irregular": {"mode": 6}}, offset=0.55),
+    "structure": GALLERY["crossing"],
     "lighting": Recipe(LATTICE, setting={"separation": {"mode": "fissure", "gap": 0.15}}),
     "histogram": Recipe(NOISY, setting=BY_QUALITY, part="#section-quality"),
     "diagnosis": Recipe("faults/negative-volume", part="#section-mesh", offset=0),

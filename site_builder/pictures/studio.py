@@ -8,6 +8,7 @@ from contextlib import ExitStack
 from pathlib import Path
 
 from playwright.sync_api import Error as PlaywrightError
+from playwright.sync_api import Locator
 
 from hexalab.hosts.rendering import RenderError, Viewer
 from hexalab.hosts.serving import make_server
@@ -15,6 +16,22 @@ from hexalab.status import DEFAULTS, merge
 
 from .album import Album
 from .shot import HEIGHT, WIDTH, Shot
+
+UNFOLD = """(part) => {
+  for (let fold = part.closest("details"); fold; fold = fold.parentElement.closest("details")) {
+    if (!fold.open) fold.dataset.unfolded = "";
+    fold.open = true;
+  }
+}"""
+"""Opens what is folded around a part of the page."""
+
+FOLD = """() => {
+  for (const fold of document.querySelectorAll("[data-unfolded]")) {
+    fold.open = false;
+    delete fold.dataset.unfolded;
+  }
+}"""
+"""Folds it again, so that no picture depends on those before it."""
 
 Progress = Callable[[str, float], None]
 """Called with what is being done, and how much of all pictures is done: 0 to 1."""
@@ -64,12 +81,20 @@ class Studio(Viewer):
     def _photograph(self, shot: Shot) -> bytes:
         try:
             if shot.press:
-                self.page.locator(shot.press).click()
+                self._unfolded(shot.press).click()
             if shot.part != "body":
-                return self.page.locator(shot.part).screenshot()
+                return self._unfolded(shot.part).screenshot()
             return self._window(shot.width, shot.height)
         except PlaywrightError as error:
             raise RenderError(f"{shot.part} of the viewer can't be photographed: {error}") from None
+        finally:
+            self.page.evaluate(FOLD)
+
+    def _unfolded(self, selector: str) -> Locator:
+        """A part of the page, with all that it is folded into opened."""
+        part = self.page.locator(selector)
+        part.evaluate(UNFOLD)
+        return part
 
     def _window(self, width: int, height: int) -> bytes:
         """The page in a window of that size; of a card's size, the window is left as it is."""

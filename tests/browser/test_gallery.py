@@ -109,8 +109,24 @@ def test_S2_a_link_of_the_gallery_brings_the_same_picture_back(page: Page, site:
     assert np.abs(again - kept).mean() < 0.5
 
 
+def test_T4_a_picture_of_structure_opens_what_it_shows(page: Page, site: str):
+    page.goto(f"{site}/guide/structure/")
+    page.locator('a:has(img[src$="guide/structure/crossing.png"])').click()
+    page.wait_for_function("() => window.hexalab !== undefined")
+    page.evaluate("() => window.hexalab.ready")
+    page.wait_for_function("() => window.hexalab.getStatus().structure.chosen.length === 2")
+    page.evaluate("() => window.hexalab.settled()")
+    again = pixels(base64.b64decode(page.evaluate(SCREENSHOT)))
+    kept = pixels(SITE / "guide" / "structure" / "crossing.png")
+    assert np.abs(again - kept).mean() < 0.5
+    red, green, blue = np.moveaxis(kept, -1, 0)
+    teal, amber = (green > red + 60) & (blue > red + 40), (red > blue + 90) & (green > blue + 40)
+    assert 0.01 < teal.mean() < 0.3
+    assert 0.01 < amber.mean() < 0.3
+
+
 def test_V8_gallery_and_guide_have_all_their_pictures(page: Page, site: str):
-    for address, count in (("gallery/", 44), ("guide/", 16)):
+    for address, count in (("gallery/", 52), ("guide/", 17), ("guide/structure/", 35)):
         page.goto(f"{site}/{address}")
         page.evaluate("() => document.querySelectorAll('img').forEach((image) => (image.loading = 'eager'))")
         page.wait_for_function("() => [...document.images].every((image) => image.complete)")

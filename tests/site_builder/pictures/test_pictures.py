@@ -152,7 +152,7 @@ def test_C2_every_setting_of_gallery_and_guide_is_one(tmp_path):
             mesh.local, mesh.facts = mesh.local or tmp_path, Facts(sha256="1" * 64, cells=100)
     collection = Collection(catalogue)
     figures, *rows = collection.gallery
-    assert len(rows) == 8
+    assert len(rows) == 9
     setting = {figure.shot.status["figure"].get("panels", {}).get("setting") for figure in figures.figures}
     assert setting > {"separation", "lighting", "peel", "regularisation", "silhouette", "irregular"}
     modes = [[figure.shot.status["separation"]["mode"] for figure in row.figures] for row in rows[:4]]
