@@ -72,10 +72,10 @@ def test_V3_the_model_is_seen_through_hidden_cells_before_it_alone(stage: Any) -
     colours = {"by": "sides", "outside": "#204080", "inside": "#ffff00"}
     plain = {"camera": view, "colour": colours, "silhouette": 0, "lighting": {"mode": "none", "shade": 0}}
     show(stage, shown, **plain)
-    stage.call("setSeeThrough", grid_surface(~shown))
     pictures = []
-    for cells, opacity in (("none", 0.5), ("cut", 0.5), ("cut", 1), ("cut", 0)):
-        stage.call("setStatus", {"see_through": {"cells": cells, "opacity": opacity}})
+    for cells, opacity in ((None, 0.5), (~shown, 0.5), (~shown, 1), (~shown, 0)):
+        stage.call("setSeeThrough", None if cells is None else grid_surface(cells))
+        stage.call("setStatus", {"see_through": {"opacity": opacity}})
         stage.settle()
         pictures.append(stage.picture().astype(int))
     place = (0.05, 0.05, 0)
