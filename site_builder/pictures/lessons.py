@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+from hexalab.status import merge
+
 from .recipe import Recipe
 from .shot import Status
 from .structures import DISTANCE, ROUND, WIRELESS, cut, look, seen_from
@@ -317,5 +321,12 @@ OCTREE = {
     ),
 }
 
-LESSONS = {"window": WINDOW} | IRREGULAR | GRAPH | SHEETS | CHORDS | BLOCKS | CLASSES | FOCUS | OCTREE
+FAST: Status = {"lighting": {"mode": "screen_space_ao"}}
+"""So many pictures are taken with the light that is there at once."""
+
+ALL = IRREGULAR | GRAPH | SHEETS | CHORDS | BLOCKS | CLASSES | FOCUS | OCTREE
+
+LESSONS = {"window": WINDOW} | {
+    name: replace(recipe, setting=merge(FAST, recipe.setting)) for name, recipe in ALL.items()
+}
 """All of them."""

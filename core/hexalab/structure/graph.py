@@ -125,7 +125,7 @@ class Chains:
     ----------
     edges : (E,) int32
         Edges, chain by chain: those with ends first, then closed ones, each kind by the smallest vertex at
-        which they begin.
+        which they begin and the one that follows, however the edges are numbered.
     begins : (E,) int32
         The vertex at which each of these edges is entered.
     last : (C,) int32
@@ -203,7 +203,7 @@ def chain(ends: Ids, through: NDArray[np.bool_]) -> Chains:
         goal == goal[start][label]
     )  # of its two senses a chain is walked in that of its start
     rank = np.empty(found, np.int32)
-    rank[np.lexsort((begin[start], closed))] = np.arange(found, dtype=np.int32)
+    rank[np.lexsort((finish[start], begin[start], closed))] = np.arange(found, dtype=np.int32)
     number = rank[label[mine]]
     mine = mine[np.lexsort((-left[mine], number))]
     starts = np.concatenate([[0], np.cumsum(np.bincount(number, minlength=found))]).astype(np.int32)

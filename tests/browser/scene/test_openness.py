@@ -71,7 +71,9 @@ LARGE = pytest.mark.nightly
 @pytest.mark.parametrize(
     ("name", "mode"),
     [
-        pytest.param(name, mode, marks=LARGE if mode != "lines" and name in ("DEMO09", "hex-joint") else ())
+        pytest.param(
+            name, mode, marks=LARGE if mode != "lines" and name in ("rod-rod", "DEMO09", "hex-joint") else ()
+        )
         for name in ("cavity", "structures/tunnels", "shapes/t-junction", "rod-rod", "DEMO09", "hex-joint")
         for mode in ("lines", "fissure", "rounded")
     ],
