@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ from tests.core.session.looks import (
     Screen,
     Settings,
     all_looks,
+    mesh_of,
     session_of,
     truth_of,
 )
@@ -276,6 +278,30 @@ def test_T4_only_what_is_drawn_as_cells_has_arrows(attributed: bytes) -> None:
     assert set(arrows({"kind": "none"})["cells"].tolist()) == set(range(6))
 
 
+def test_T4_arrows_of_vertices_go_with_blocks_that_are_drawn_apart() -> None:
+    bare = mesh_of("structures/l-polycube")
+    mesh = replace(bare, point_data={"flow": bare.points - bare.points.mean(axis=0)})
+    session = Session({"flow": lambda: mesh})
+    session.open_offered("flow")
+    arrows = {"arrows": {"attribute": "point:flow"}}
+    before = session.update(arrows)["arrows"]
+    apart = session.update({"structure": {"kind": "blocks", "explode": 1}})["arrows"]
+    frame = session._open_mesh().drawn_mesh.frame
+    for found, share in ((before, 0), (apart, 1)):
+        views = {cell: session.cell_view(cell)["centre"] for cell in set(found["cells"].tolist())}
+        plain_views = {cell: mesh.barycentres[:, cell] for cell in views}
+        moved = np.array(
+            [
+                share * (np.array(views[c]) - (plain_views[c] - frame.centre) / frame.diagonal)
+                for c in found["cells"]
+            ]
+        )
+        places = (found["positions"].reshape(-1, 3) - moved) * frame.diagonal + frame.centre
+        expected = (places - bare.points.mean(axis=0)) / found["longest"]
+        assert np.allclose(found["vectors"].reshape(-1, 3), expected, atol=1e-5)
+    assert len(apart["cells"]) > len(before["cells"]), "between blocks there are faces now"
+
+
 def test_T4_a_slice_sends_no_curves_but_chords(screen: Screen) -> None:
     screen.update({"structure": {"kind": "arcs", "curves": True}})
     plane = {"enabled": True, "normal": [1, 0, 0]}
@@ -283,3 +309,14 @@ def test_T4_a_slice_sends_no_curves_but_chords(screen: Screen) -> None:
         came = screen.update({"filters": {"planes": {"items": [{**plane, "offset": offset}]}}})
         assert ("curves" in came) == (form == "surfaces")
         screen.update({"structure": {"kind": "chords", "form": "surfaces"}})
+
+
+def test_P2_nothing_is_traced_before_structure_is_looked_at(screen: Screen) -> None:
+    opened = lambda: set(vars(screen.session._open_mesh()))  # noqa: E731
+    screen.update({"colour": {"by": "quality"}, "filters": {"peel": {"depth": 1}}})
+    screen.update({"structure": {"chosen": [3], "explode": 0.5, "complex": "interior"}}, whole=True)
+    screen.session.inspect(0)
+    screen.session.cell_view(0)
+    assert not {"traced", "onlooker"} & opened()
+    screen.update({"structure": {"curves": True}})
+    assert {"traced", "onlooker"} <= opened()
