@@ -194,6 +194,8 @@ def test_V7_a_click_inspects_the_cell_with_every_metric(mesh: Page) -> None:
     mesh.mouse.click(x, y)
     ui.until(lambda: mesh.locator(".inspector").is_visible())
     cell = int(mesh.locator(".inspector h2").inner_text().removeprefix("Cell "))
+    # Sizes wait for the mesh's mean volume.
+    ui.until(lambda: "…" not in mesh.locator(".inspector").inner_text())
     text = mesh.locator(".inspector").inner_text()
     for metric in hexalab.METRICS.values():
         value = hexalab.quality(MESH, metric.id)[cell]
