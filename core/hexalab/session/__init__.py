@@ -249,13 +249,7 @@ class Session(Tracing):
         attributes: Sequence[str] | None = None,
         structure: bool = False,
     ) -> Result:
-        """Write the shown cells as a mesh; see `shown_cells.shown_mesh`.
-
-        Parameters
-        ----------
-        format : str
-            Id of a row of `hexalab.WRITERS`.
-        metrics, attributes, structure
+        """Write the shown cells in a format, the id of a row of `hexalab.WRITERS`; see `shown_cells.shown_mesh`.
 
         Returns
         -------
