@@ -93,6 +93,7 @@ export function structureFigures(context) {
       button.disabled = !structure;
       button.title = structure ? title(structure) : "";
       setAttribute(button, "aria-pressed", String(own === kind));
+      setAttribute(button, "aria-label", `${number.textContent} ${NAMES[own][1]}`);
     }
     bar.hidden = !tracing;
     if (tracing) bar.value = tracing.done / tracing.of;
