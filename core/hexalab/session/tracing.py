@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from typing import Any
 
 from ..packing import jsonable
@@ -11,14 +12,16 @@ from .picture import Picture
 Result = dict[str, Any]
 
 
-class Tracing:
+class Tracing(ABC):
     """What a session is asked about structure. Whatever is asked is traced then, if it was not before."""
 
+    @abstractmethod
     def _open_mesh(self) -> Opened:
-        raise NotImplementedError
+        """The open mesh; HexaLabError if there is none."""
 
+    @abstractmethod
     def _drawn(self) -> Picture:
-        raise NotImplementedError
+        """What was drawn of it last; HexaLabError if there is none."""
 
     def trace(self) -> Result:
         """Trace a part of the structure, so that other questions can come between; ask again until all is done.

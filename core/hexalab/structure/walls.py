@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import Array, Ids
+from ..topology.classes import classes
 from ..topology.slots import last_writers
 from .frame import ACROSS, ROUND, SIDES, Frame
 
@@ -82,8 +83,6 @@ def complex_edges(frame: Frame, complex_faces: NDArray[np.bool_]) -> NDArray[np.
 
 def patches(frame: Frame, complex_faces: Array, edges: NDArray[np.bool_]) -> tuple[Ids, int]:
     """Classes of complex faces, (n,) rows, that meet at edges which are not complex: base faces, and how many."""
-    from ..topology.classes import classes
-
     rows = np.flatnonzero(complex_faces).astype(np.int32)
     number = np.arange(len(rows), dtype=np.int32)
     own = frame.edges_of(rows)
