@@ -129,7 +129,7 @@ def _still_figure(still: Still) -> Figure:
     )
 
 
-TOLD = ("structure", "filters", "colour", "see_through")
+TOLD = ("structure", "colour")
 """Parts of a status that a picture from the repository is about; cameras and the rest are not told below it."""
 
 

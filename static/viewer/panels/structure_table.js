@@ -73,7 +73,12 @@ export function structureTable(context) {
     if (!found || facts.get("structure") !== structure || now.kind !== kind) return;
     if (found !== shown) {
       shown = found;
-      const columns = found.columns.filter(({ id, values }) => !IDLE.has(id) || values.some(Boolean));
+      const cells = found.columns.find(({ id }) => id === "cells")?.values;
+      const columns = found.columns.filter(
+        ({ id, values }) =>
+          (!IDLE.has(id) || values.some(Boolean)) &&
+          (id !== "crossings" || values.some((value, row) => value !== cells?.[row])),
+      );
       table.show(columns.map(columnOf), found.rows);
     }
     table.mark(now.chosen);
@@ -82,5 +87,5 @@ export function structureTable(context) {
   return element;
 }
 
-/** Columns that are left out where they say the same of all. */
+/** Columns that are left out where nothing is so; crossings are, where they are as many as cells. */
 const IDLE = new Set(["boundary", "closed", "one_sided"]);
