@@ -10,6 +10,7 @@ from hexalab import LIST_FORMS, __version__
 from hexalab.formats import FORMATS, WRITERS
 from hexalab.quality import METRICS
 from hexalab.session import DESCRIBED
+from hexalab.session.looking import MOST_AT_ONCE
 from hexalab.status import CORE_PATHS, DEFAULTS, SCHEMA
 from hexalab.structure.quantities import QUANTITIES
 from hexalab.summary import STATISTICS
@@ -69,7 +70,8 @@ class ViewerTables(TypedDict):
 
     `defaults` are the settings', `core_paths` those of them that concern the core, `described` the parts of a
     description; settings are named by their paths, such as ``separation.mode``: `choices` are the words of one,
-    `limits` its smallest and largest number. `statistics` are those that the core tells of a quantity.
+    `limits` its smallest and largest number. `statistics` are those that the core tells of a quantity. `most_at_once`
+    are the shown cells up to which all sheets are drawn as surfaces, and all chords as curves, where none is chosen.
     """
 
     version: str
@@ -84,6 +86,7 @@ class ViewerTables(TypedDict):
     formats: list[FormatEntry]
     writers: list[WriterEntry]
     list_forms: list[ListFormEntry]
+    most_at_once: int
 
 
 def viewer_tables() -> ViewerTables:
@@ -118,6 +121,7 @@ def viewer_tables() -> ViewerTables:
         "formats": [{"id": one.id, "name": one.name, "extensions": list(one.extensions)} for one in FORMATS],
         "writers": [{"id": one.id, "name": one.name, "extension": one.extension} for one in WRITERS],
         "list_forms": [{"id": one.id, "name": one.name} for one in LIST_FORMS],
+        "most_at_once": MOST_AT_ONCE,
     }
 
 

@@ -71,6 +71,11 @@ def described(path: str, facts: dict[str, Any]) -> str:
             counted(graph["loops"], "loop"),
             counted(graph["nodes"], "node"),
         ],
+        *(
+            [f"{name} inside", count(number)]
+            for name, edges in (("Ends of arcs", 1), ("T junctions", 3))
+            if (number := _meeting(graph["node_types"], edges))
+        ),
         [
             "Sheets",
             count(sheets["count"]),
@@ -103,6 +108,11 @@ def described(path: str, facts: dict[str, Any]) -> str:
             if len(most) > SHOWN:
                 lines.append(f"    and {len(most) - SHOWN} more")
     return "\n".join(lines)
+
+
+def _meeting(types: dict[str, int], edges: int) -> int:
+    """Nodes inside at which so many irregular edges meet: one where an arc ends, three at a T junction."""
+    return sum(n for name, n in types.items() if name.startswith("i ") and len(name.split()) == edges + 1)
 
 
 def _kinds(facts: dict[str, int], names: tuple[str, ...]) -> list[str]:

@@ -18,6 +18,9 @@ from ..surface.records import Curves
 Settings = dict[str, Any]
 Cells = NDArray[np.bool_]
 
+MOST_AT_ONCE = 100_000
+"""Shown cells up to which all sheets are drawn as surfaces, and all chords as curves, where none is chosen."""
+
 BLOCK_COLOURS = 12
 """The viewer's palette of blocks has so many colours."""
 
@@ -114,6 +117,11 @@ NO_CELLS = NOTHING._replace(form="surfaces")
 """What is looked at is not drawn as cells."""
 
 
+def _too_many(look: Look, shown: Cells) -> bool:
+    """Whether all sheets or chords at once would be too much for memory and eye."""
+    return look.kind in ("sheets", "chords") and int(np.count_nonzero(shown)) > MOST_AT_ONCE
+
+
 class Onlooker:
     """Draws what is looked at.
 
@@ -167,7 +175,7 @@ class Onlooker:
         if look.kind not in ("sheets", "blocks"):
             return extract_surface(self._drawn_mesh, np.zeros_like(shown), "lines")
         chosen = np.zeros(count_of(structure, look.kind, look.variant), dtype=bool)
-        chosen[self.chosen(look) if look.chosen else slice(None)] = True
+        chosen[self.chosen(look) if look.chosen or _too_many(look, shown) else slice(None)] = True
         if look.kind == "sheets":
             return dual_surface(self._drawn_mesh, frame, structure.sheets, chosen, shown)
         return walls(self._drawn_mesh, frame, base_of(structure, look.variant), chosen, shown)
@@ -182,7 +190,8 @@ class Onlooker:
             drawing.arcs(self._drawn_mesh, graph, chosen)
         if look.passing:
             chords = self.structure.chords
-            some = self.chosen(look) if look.chosen else np.arange(chords.count, dtype=np.int32)
+            every = not (look.chosen or _too_many(look, shown))
+            some = np.arange(chords.count, dtype=np.int32) if every else self.chosen(look)
             drawing.chords(self._drawn_mesh, frame, chords, some, shown)
         if look.curves:
             drawing.base_complex(drawn_mesh, frame, skeleton_of(self.structure, look.base))

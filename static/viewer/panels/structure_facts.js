@@ -7,6 +7,8 @@ import { h } from "../widgets/dom.js";
 /** What is told of the whole: name, and how it follows from the facts; null where there is nothing to tell. @type {readonly [name: string, tell: (facts: StructureFacts) => string | null][]} */
 const ROWS = [
   ["Class", (facts) => facts.class],
+  ["Arcs' ends inside", ({ irregular }) => some(meeting(irregular.node_types, 1))],
+  ["T junctions inside", ({ irregular }) => some(meeting(irregular.node_types, 3))],
   ["Cells per block", ({ base_complex: { cells_per_block: cells } }) => (cells ? decimal(cells) : null)],
   ["Blocks by the inside alone", (facts) => count(facts.interior_base_complex.blocks)],
   [
@@ -26,6 +28,17 @@ const ROWS = [
       share === null ? null : `${decimal(100 * share)} % of those inside`,
   ],
 ];
+
+/** Nodes inside at which so many irregular edges meet: one where an arc ends, three at a T junction. @param {Readonly<Record<string, number>>} types @param {number} edges */
+function meeting(types, edges) {
+  const found = Object.entries(types).filter(
+    ([name]) => name.startsWith("i ") && name.split(" ").length === edges + 1,
+  );
+  return found.reduce((sum, [, number]) => sum + number, 0);
+}
+
+/** @param {number} number */
+const some = (number) => (number ? count(number) : null);
 
 /** How many types of nodes and sizes of blocks are listed. */
 const MOST = 12;

@@ -84,25 +84,35 @@ export function structureFigures(context) {
   new IntersectionObserver((seen) => seen.some(({ isIntersecting }) => isIntersecting) && wanted()).observe(
     element,
   );
-  watch(context, { facts: ["summary", "core", "tracing", "structure"], status: ["structure"] }, () => {
-    const structure = facts.get("structure");
-    const tracing = facts.get("tracing");
-    const { kind, chosen } = store.status.structure;
-    for (const { kind: own, button, number, count: of, of: title } of buttons) {
-      setText(number, structure ? count(of(structure)) : "–");
-      button.disabled = !structure;
-      button.title = structure ? title(structure) : "";
-      setAttribute(button, "aria-pressed", String(own === kind));
-      setAttribute(button, "aria-label", `${number.textContent} ${NAMES[own][1]}`);
-    }
-    bar.hidden = !tracing;
-    if (tracing) bar.value = tracing.done / tracing.of;
-    setText(words, tracing?.next ? `Tracing ${tracing.next}` : structure ? chosenInWords(kind, chosen) : "");
-    setText(note, structure ? noteOf(structure, facts.get("summary")?.cells ?? 0) : "");
-    note.hidden = !note.textContent;
-    words.hidden = !words.textContent;
-    if (!structure && !tracing) wanted();
-  });
+  watch(
+    context,
+    { facts: ["summary", "core", "tracing", "structure", "shown"], status: ["structure"] },
+    () => {
+      const structure = facts.get("structure");
+      const tracing = facts.get("tracing");
+      const { kind, chosen } = store.status.structure;
+      for (const { kind: own, button, number, count: of, of: title } of buttons) {
+        setText(number, structure ? count(of(structure)) : "–");
+        button.disabled = !structure;
+        button.title = structure ? title(structure) : "";
+        setAttribute(button, "aria-pressed", String(own === kind));
+        setAttribute(button, "aria-label", `${number.textContent} ${NAMES[own][1]}`);
+      }
+      bar.hidden = !tracing;
+      if (tracing) bar.value = tracing.done / tracing.of;
+      setText(
+        words,
+        tracing?.next ? `Tracing ${tracing.next}` : structure ? chosenInWords(kind, chosen) : "",
+      );
+      const notes = structure
+        ? [...notesOf(structure, facts.get("summary")?.cells ?? 0), tooMany(context)]
+        : [];
+      setText(note, notes.filter(Boolean).join(" "));
+      note.hidden = !note.textContent;
+      words.hidden = !words.textContent;
+      if (!structure && !tracing) wanted();
+    },
+  );
   return element;
 }
 
@@ -112,7 +122,7 @@ function chosenInWords(kind, chosen) {
 }
 
 /** What has to be known to read the figures. @param {StructureFacts} structure @param {number} cells */
-function noteOf(structure, cells) {
+function notesOf(structure, cells) {
   const { base_complex: base, sheets, skipped } = structure;
   const notes = skipped ? [`Not traced: ${skipped}. Structure ends there.`] : [];
   const share = base.cells_per_block ?? Infinity;
@@ -121,5 +131,13 @@ function noteOf(structure, cells) {
       `${count(base.blocks)} blocks of ${counted(cells, "cell")}: the base complex is almost as fine as the mesh, as in octree-like ` +
         `meshes. Its ${counted(sheets.count, "sheet")} tell more.`,
     );
-  return notes.join(" ");
+  return notes;
+}
+
+/** Why nothing is drawn of sheets or chords that none is chosen of; empty where something is. @param {Context} context */
+function tooMany({ store, facts, tables }) {
+  const { kind, form, chosen } = store.status.structure;
+  const all = (kind === "sheets" || kind === "chords") && form === "surfaces" && !chosen.length;
+  if (!all || (facts.get("shown")?.cells ?? 0) <= tables.most_at_once) return "";
+  return `All ${NAMES[kind][1]} of more than ${count(tables.most_at_once)} cells are too many to draw at once: choose some.`;
 }

@@ -33,6 +33,7 @@
  * @property {readonly FormatRow[]} formats
  * @property {readonly WriterRow[]} writers
  * @property {readonly { id: string, name: string }[]} list_forms forms that cells are copied in
+ * @property {number} most_at_once shown cells up to which all sheets or chords are drawn as surfaces and curves, where none is chosen
  */
 
 /** @param {Document} page @returns {Tables} */

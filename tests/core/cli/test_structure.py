@@ -16,7 +16,8 @@ import numpy as np
 import pytest
 
 from hexalab import Mesh, read, structure, write
-from hexalab.structure import CELL_DATA, TABLES
+from hexalab.cli.structure import described
+from hexalab.structure import CELL_DATA, TABLES, facts_of
 from tests.core.conftest import grid_points
 from tests.core.topology.brute_force import BruteForce
 from tests.tools import tool
@@ -197,3 +198,13 @@ def test_T6_a_format_without_a_place_for_it_says_so(run: Run, tmp_path: Path) ->
     code, _, err = run("convert", "--structure", O_GRID, tmp_path / "out.mesh")
     assert code == 0
     assert all(f"{name} (of cells)" in err for name in CELL_DATA)
+
+
+def test_T1_ends_and_t_junctions_inside_are_told_by_the_types_of_nodes() -> None:
+    facts = json.loads(json.dumps(facts_of(structure(read(O_GRID)))))
+    lines = described("o-grid.mesh", facts).splitlines()
+    assert not [line for line in lines if "Ends of arcs" in line or "T junctions" in line]
+    facts["irregular"]["node_types"] |= {"i 5": 2, "i 6 6 6": 3, "i 3 3 5": 4, "i 3 3 3 3": 8, "b 6": 16}
+    told = [line.split("  ") for line in described("o-grid.mesh", facts).splitlines()]
+    counts = {row[1].strip(): row[-1].strip() for row in told if len(row) > 1}
+    assert (counts["Ends of arcs inside"], counts["T junctions inside"]) == ("2", "7")

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from hexalab.session import Session
+from hexalab.session import Session, looking
 from tests.core.session.checks import plain
 from tests.core.session.looks import (
     MESHES,
@@ -320,3 +320,23 @@ def test_P2_nothing_is_traced_before_structure_is_looked_at(screen: Screen) -> N
     assert not {"traced", "onlooker"} & opened()
     screen.update({"structure": {"curves": True}})
     assert {"traced", "onlooker"} <= opened()
+
+
+@pytest.mark.parametrize("kind", ["sheets", "chords"])
+def test_T4_all_at_once_are_drawn_of_so_many_cells_and_no_more(
+    kind: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    session = session_of("layouts/nodes-of-six")
+    cells = session.update()["shown_cells"]
+
+    def drawn(chosen: list[int], most: int) -> int:
+        monkeypatch.setattr(looking, "MOST_AT_ONCE", most)
+        session.update({"structure": {"kind": "none"}})
+        records = session.update({"structure": {"kind": kind, "form": "surfaces", "chosen": chosen}})
+        return len(records["surface"]["faces"]) + len(
+            records["curves"]["edge_rows"] if "curves" in records else ()
+        )
+
+    assert drawn([], cells) == (2 * 3 if kind == "sheets" else 3) * cells
+    assert drawn([], cells - 1) == 0
+    assert drawn([0], cells - 1) > 0, "what is chosen is drawn of any mesh"
