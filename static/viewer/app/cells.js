@@ -16,6 +16,21 @@ export class Cells {
   /** @param {import("./app.js").App} app */
   constructor(app) {
     this.#app = app;
+    for (const path of ["structure.explode", "structure.kind", "structure.form"])
+      app.store.on(path, () => void this.#mark());
+  }
+
+  /** Outlines the inspected cell where it stands now: its block may be drawn elsewhere than before. */
+  async #mark() {
+    const { client, facts, scene } = this.#app;
+    const cell = facts.get("cell")?.cell;
+    if (cell === undefined) return;
+    try {
+      const { edges } = await client.call("cell_view", [cell], { replace: "mark" });
+      if (facts.get("cell")?.cell === cell) scene.mark(edges);
+    } catch {
+      // a newer place is asked for, or the mesh went: there is nothing to outline
+    }
   }
 
   /** Show a cell in the inspector, or close it. @param {number | null} cell */

@@ -8,7 +8,7 @@ import { StatusStore } from "../../../static/viewer/state/store.js";
 function parts(/** @type {object} */ colour, shares = 3) {
   /** @type {any[][]} */
   const asked = [];
-  const store = /** @type {StatusStore<any>} */ (new StatusStore({ colour }));
+  const store = /** @type {StatusStore<any>} */ (new StatusStore({ colour, structure: { explode: 0 } }));
   const attributes = [{ id: "point:flow", name: "flow, magnitude" }];
   const facts = new Facts(/** @type {any} */ ({ summary: { attributes }, hover: { cell: 7 } }));
   let left = shares;
@@ -33,7 +33,7 @@ function parts(/** @type {object} */ colour, shares = 3) {
   const messages = { settle: () => {}, error: (/** @type {any} */ error) => said.push(error) };
   const scene = { highlight() {}, mark() {} };
   const app = /** @type {any} */ ({ store, facts, client, tables, messages, scene });
-  return { cells: new Cells(app), asked, facts, said };
+  return { cells: new Cells(app), asked, facts, said, store };
 }
 
 const BY_FLOW = { by: "attribute", attribute: "point:flow", metric: "" };
@@ -81,4 +81,16 @@ test("V7: another mesh ends the measuring of the one before", async () => {
   await new Promise((resolve) => setTimeout(resolve, 5));
   assert.equal(asked.length, count);
   assert.deepEqual(said, []);
+});
+
+test("T4: the inspected cell is outlined where it stands when blocks are drawn apart", async () => {
+  const { cells, asked, store } = parts(BY_FLOW, 0);
+  store.set({ structure: { explode: 0.2 } });
+  await new Promise((resolve) => setTimeout(resolve, 5));
+  assert.deepEqual(asked, [], "no cell is inspected");
+  await cells.inspect(7);
+  asked.length = 0;
+  store.set({ structure: { explode: 0.5 } });
+  await new Promise((resolve) => setTimeout(resolve, 5));
+  assert.deepEqual(asked, [["cell_view", 7]]);
 });
