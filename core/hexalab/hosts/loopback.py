@@ -290,6 +290,7 @@ class Handler(BaseHTTPRequestHandler):
             question = read_question(body)
         except HexaLabError as error:
             return self._refuse(HTTPStatus.BAD_REQUEST, str(error))
+        identify = seat.identifier(question)
         packed, milliseconds = seat.answer(question)
         self._begin(HTTPStatus.OK, TYPES[""], packed.size, {"X-HexaLab-Milliseconds": f"{milliseconds:.3f}"})
         self.wfile.write(packed.head)
@@ -299,9 +300,7 @@ class Handler(BaseHTTPRequestHandler):
             self.wfile.write(array.reshape(-1).view("u1").data)
             at = offset + array.nbytes
         self.wfile.write(PADDING[: packed.size - len(packed.head) - at])
-        seat.identify(
-            question, lambda number, sha256: seat.tell({"identified": {"question": number, "sha256": sha256}})
-        )
+        identify(lambda number, sha256: seat.tell({"identified": {"question": number, "sha256": sha256}}))
 
     def _body(self) -> bytearray | None:
         """The request's body; None if there is none, which was refused."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import os
 import threading
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Protocol
@@ -44,8 +44,8 @@ class Offer(Protocol):
             It can't be read, or is not there.
         """
 
-    def sha256(self) -> str:
-        """SHA-256 of the file that it was read from, in hexadecimal; "" where there is none."""
+    def hasher(self) -> Callable[[], str]:
+        """What tells the SHA-256, in hexadecimal, of the file that is offered now; "" where there is none."""
 
     def size(self) -> int | None:
         """Bytes of that file; None where there is none."""
@@ -90,6 +90,10 @@ class FileOffer:
         thread.start()
         return thread
 
+    def hasher(self) -> Callable[[], str]:
+        """What hashes the file as it is then."""
+        return self.sha256
+
     def sha256(self) -> str:
         """SHA-256 of the file as it is now, in hexadecimal; "" where it can't be read."""
         try:
@@ -131,9 +135,9 @@ class BytesOffer:
         """Read it; errors as for `Offer`."""
         return prepared(read_bytes(self.data, self.name, self.companions))
 
-    def sha256(self) -> str:
-        """Hash its bytes."""
-        return hashlib.sha256(self.data).hexdigest()
+    def hasher(self) -> Callable[[], str]:
+        """What hashes its bytes."""
+        return lambda: hashlib.sha256(self.data).hexdigest()
 
     def size(self) -> int:
         """Count its bytes."""
@@ -155,9 +159,9 @@ class Easel:
         """The mesh that is on it."""
         return self._present.mesh()
 
-    def sha256(self) -> str:
-        """That of what is on it."""
-        return self._present.sha256()
+    def hasher(self) -> Callable[[], str]:
+        """That of what is on it now, whatever is there when it is called."""
+        return self.offer.hasher() if self.offer else str
 
     def size(self) -> int | None:
         """That of what is on it."""

@@ -43,14 +43,26 @@ class Seat:
             packed = self._door.answer(question.method, question.text, question.blocks)
             return packed, 1000 * (perf_counter() - began)
 
-    def identify(self, question: Question, tell: Identify) -> None:
-        """Hash the file that a question has opened, if it has, beside other work."""
-        if question.method in OPENING:
-            run = threading.Thread(target=lambda: tell(question.id, self._sha256(question)), daemon=True)
-            run.start()
+    def identifier(self, question: Question) -> Callable[[Identify], None]:
+        """Take hold of the file that a question is about to open, if it opens one.
 
-    def _sha256(self, question: Question) -> str:
+        It is done before the question is answered: what is on an easel may be taken down or changed as soon as the
+        page has its answer. What is returned hashes the file beside other work, and tells.
+        """
+        if question.method not in OPENING:
+            return lambda tell: None
+        hashed = self._hasher(question)
+
+        def identify(tell: Identify) -> None:
+            threading.Thread(target=lambda: tell(question.id, hashed()), daemon=True).start()
+
+        return identify
+
+    def _hasher(self, question: Question) -> Callable[[], str]:
         if question.method == "open_offered":
-            offer = self._offers.get(str(json.loads(question.text)[0]))
-            return offer.sha256() if offer else ""
-        return hashlib.sha256(question.blocks[0]).hexdigest() if question.blocks else ""
+            try:
+                offer = self._offers.get(str(json.loads(question.text)[0]))
+            except (ValueError, LookupError, TypeError):
+                return str  # the answer says what is wrong with the question
+            return offer.hasher() if offer else str
+        return lambda: hashlib.sha256(question.blocks[0]).hexdigest() if question.blocks else ""

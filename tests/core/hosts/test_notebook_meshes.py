@@ -33,7 +33,7 @@ def test_A6_a_mesh_and_arrays_and_a_path_are_taken(tmp_path: Path):
     for path in (tmp_path / "two.vtk", str(tmp_path / "two.vtk")):
         offer = offer_of(path)
         assert (offer.name, volume(offer)) == ("two.vtk", 2)
-        assert len(offer.sha256()) == 64
+        assert len(offer.hasher()()) == 64
 
 
 def test_A6_a_mesh_of_meshio_is_taken_with_its_attributes():

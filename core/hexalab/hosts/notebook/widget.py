@@ -200,6 +200,7 @@ class View(anywidget.AnyWidget):
             question = read_question(whole)
         except HexaLabError as error:
             return self._refuse(view, number, str(error))
+        identify = seat.identifier(question)
         packed, milliseconds = seat.answer(question)
         told = {"kind": "answer", "view": view, "number": number, "milliseconds": milliseconds}
         self.send(told, [packed.joined()])
@@ -207,7 +208,7 @@ class View(anywidget.AnyWidget):
         def identified(number: int, sha256: str) -> None:
             self.send({"kind": "identified", "view": view, "number": number, "sha256": sha256})
 
-        seat.identify(question, identified)
+        identify(identified)
 
     def _refuse(self, view: str, number: int, reason: str) -> None:
         self.send({"kind": "refused", "view": view, "number": number, "reason": reason})
