@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..arrays import Array, Floats, Ids
 from ..cells import COLLAPSE, HEXAHEDRON, KINDS
-from ..errors import MeshReadError
+from ..errors import MeshReadError, NoCellsError
 from ..groups import Group
 from ..mesh import Mesh
 from .feature_blocks import FeatureBlock, joined_features, named_apart
@@ -104,7 +104,9 @@ class Assembly:
         Raises
         ------
         MeshReadError
-            No vertices, no cells, a vertex id out of range.
+            No vertices, a vertex id out of range.
+        NoCellsError
+            No cells.
         """
         if self.coordinates is None:
             raise self.file.error("no vertices were found, so there is no mesh to show")
@@ -113,7 +115,7 @@ class Assembly:
             raise self.file.error(f"{vertex_count} vertices are more than 2,147,483,646")
         blocks = [block for block in self.blocks if block.corners.shape[1]]
         if not blocks:
-            raise self.file.error(self.nothing_to_show())
+            raise self.no_cells(self.coordinates)
         for block in blocks:
             check_ids(block, vertex_count)
         if self.left_out:
@@ -149,6 +151,18 @@ class Assembly:
         if (numbers == np.arange(self.first_number, self.first_number + count)).all():
             return None
         return numbers.astype(np.int64)
+
+    def no_cells(self, coordinates: Floats) -> NoCellsError:
+        """The error for a file without volumetric cells, with its vertices and features."""
+        message = self.nothing_to_show()
+        return NoCellsError(
+            message,
+            file=self.file.name,
+            coordinates=coordinates,
+            features=joined_features(self.features, coordinates.shape[1], self.note),
+            notes=self.notes,
+            format=self.format_id,
+        )
 
     def nothing_to_show(self) -> str:
         """The sentence for a file without volumetric cells."""

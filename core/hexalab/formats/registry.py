@@ -120,7 +120,7 @@ def choose(file: File) -> Format:
         if row.recognise.match(head):
             return row
     known = ", ".join(dict.fromkeys(extension for row in FORMATS for extension in row.extensions))
-    if other := foreign(head, file.name):
+    if other := foreign(head, file.name, len(file.data)):
         raise file.error(f"this is {other.name}, which is not read: {other.advice} {known}")
     name = file.name.lower().removesuffix(".gz")
     for row in FORMATS:

@@ -6,9 +6,11 @@ from .tokens import quoted
 
 MAKE_GRID = "make it one in ParaView (filter Append Datasets) and save it as .vtu"
 OPEN_PARTS = "open the .vtu files that it names, or join them in ParaView (filter Merge Blocks)"
+AS_REFERENCE = "as a surface it can be opened as a reference to measure a mesh against"
 
 OTHERS = {
-    "polydata": ("surface polygons", ""),
+    "polydata": ("surface polygons", AS_REFERENCE),
+    "ppolydata": ("an index of the parts of a surface", ""),
     "structured_points": ("an image", MAKE_GRID),
     "imagedata": ("an image", MAKE_GRID),
     "structured_grid": ("a structured grid", MAKE_GRID),

@@ -25,6 +25,9 @@ from .vtk_cells import Rows, add_cells, spans
 from .vtk_datasets import refusal
 from .vtk_values import Values
 
+CellRows = tuple[Array, Array | range, Array, ErrorAt]
+"""Rows of vertex ids: all their numbers, where each row begins, how long it is, and errors about one of the numbers."""
+
 HEADER = re.compile(rb"\s*#\s*vtk\s+DataFile[^\r\n]*\r?\n", re.I)
 
 
@@ -41,7 +44,7 @@ class Reader:
         self.text = Text(file, note=self.out.note)
         self.values = Values(self.text, self.header())
         self.attributes = Attributes(self.text, self.values, self.out)
-        self.cells: tuple[Array, Array | range, Array, ErrorAt] | None = None
+        self.cells: CellRows | None = None
         self.types: Array | None = None
 
     def header(self) -> bool:
@@ -143,37 +146,44 @@ class Reader:
         self.out.coordinates = coordinates
 
     def read_cells(self) -> None:
-        """Read CELLS, either OFFSETS and CONNECTIVITY (from version 5 on) or rows that begin with their length."""
-        text = self.text
+        """Read CELLS, of which there is one section."""
         if self.cells is not None:
-            raise text.error("a second section CELLS, expected one")
+            raise self.text.error("a second section CELLS, expected one")
+        self.cells = self.rows("CELLS")
+
+    def rows(self, what: str) -> CellRows:
+        """Read rows of vertex ids: OFFSETS and CONNECTIVITY (from version 5 on), or each begins with its length.
+
+        `what` is the section's keyword, which has just been taken.
+        """
+        text = self.text
         start = text.word_offset()
-        first = text.integer("the number of cells")
-        second = text.integer("the number of values in CELLS")
+        first = text.integer(f"the number of {what.lower()}")
+        second = text.integer(f"the number of values in {what}")
         if first < 0 or second < 0:
-            raise text.error(f"CELLS announces {first} and {second}, expected two numbers above zero", start)
+            raise text.error(f"{what} announces {first} and {second}, expected two numbers above zero", start)
         self.values.begin()
         if text.data[text.position : text.position + 64].lstrip().upper().startswith(b"OFFSETS"):
-            self.split_cells(first, second)
-        else:
-            self.counted_cells(first, second)
+            return self.split_rows(first, second)
+        return self.counted_rows(first, second, what)
 
-    def counted_cells(self, count: int, size: int) -> None:
+    def counted_rows(self, count: int, size: int, what: str) -> CellRows:
         """`CELLS n size`: each row begins with its number of corners."""
-        ids, error_at = self.values.take(size, "i4", "CELLS")
+        ids, error_at = self.values.take(size, "i4", what)
         if count > size:
             raise error_at(
-                f"CELLS announces {count} cells in {size} values, expected more values than cells", 0
+                f"{what} announces {count} {what.lower()} in {size} values, "
+                f"expected more values than {what.lower()}",
+                0,
             )
         uniform = int(ids[0]) if count and size == count * (int(ids[0]) + 1) else 0
         if uniform and (ids[:: uniform + 1] == uniform).all():
             even = range(1, size, uniform + 1)
-            self.cells = ids, even, np.broadcast_to(np.int32(uniform), count), error_at
-            return
-        starts = row_starts(ids, count, COUNTED, error_at, "CELLS") + 1
-        self.cells = ids, starts, ids[starts - 1].astype(np.int32), error_at
+            return ids, even, np.broadcast_to(np.int32(uniform), count), error_at
+        starts = row_starts(ids, count, COUNTED, error_at, what) + 1
+        return ids, starts, ids[starts - 1].astype(np.int32), error_at
 
-    def split_cells(self, offset_count: int, size: int) -> None:
+    def split_rows(self, offset_count: int, size: int) -> CellRows:
         """`CELLS n+1 size`, then OFFSETS and CONNECTIVITY, each with its number type."""
         text = self.text
         text.word()
@@ -187,7 +197,7 @@ class Reader:
         self.values.begin()
         ids, error_at = self.values.take(size, code, "CONNECTIVITY")
         starts, sizes = spans(offsets, size, offset_error)
-        self.cells = ids, starts, sizes, error_at
+        return ids, starts, sizes, error_at
 
     def read_types(self) -> None:
         """Read CELL_TYPES, VTK's number for each cell; of several such sections the first counts."""

@@ -31,6 +31,9 @@ def read(file: File) -> Mesh:
 class Reader:
     """Joins the pieces of the file."""
 
+    kind = "UnstructuredGrid"
+    """The kind of data that is read."""
+
     def __init__(self, file: File) -> None:
         self.file = file
         self.out = Assembly(file, "vtu", first_number=0)
@@ -39,9 +42,9 @@ class Reader:
         if top is None:
             raise file.error("expected the element VTKFile", line_at=0)
         kind = top.attributes.get("type", "")
-        if kind != "UnstructuredGrid":
-            raise file.error(refusal(kind, "UnstructuredGrid"), line_at=top.begin)
-        grid = top.first("UnstructuredGrid")
+        if kind != self.kind:
+            raise file.error(refusal(kind, self.kind), line_at=top.begin)
+        grid = top.first(self.kind)
         self.pieces = grid.all("Piece") if grid else []
         if not self.pieces:
             raise file.error("the file has no element Piece", line_at=top.begin)

@@ -30,6 +30,8 @@ SAMPLES = {
     "an STL surface": ("x.stl", b"solid cube\n facet normal 0 0 1\n"),
     "a PLY file": ("x.ply", b"ply\nformat ascii 1.0\n"),
     "an OFF surface": ("x.off", b"OFF\n8 6 0\n"),
+    "a binary STL surface": ("x.stl", b"solid, says the header".ljust(80) + b"\1\0\0\0" + b"\1" * 50),
+    "an OBJ surface": ("x.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
 }
 
 
@@ -44,6 +46,19 @@ def test_R6_it_is_named(name: str) -> None:
         read_bytes(data, file)
     assert f"this is {name}, which is not read: " in str(error.value)
     assert ".vtu" in str(error.value)
+
+
+@pytest.mark.parametrize("name", [name for name in SAMPLES if "surface" in name or "PLY" in name])
+def test_R6_a_surface_can_be_opened_as_a_reference(name: str) -> None:
+    file, data = SAMPLES[name]
+    with pytest.raises(MeshReadError, match=r"as a reference to measure a mesh against; expected a volumetric mesh"):
+        read_bytes(data, file)
+
+
+def test_R6_a_binary_surface_is_known_by_its_size() -> None:
+    file, data = SAMPLES["a binary STL surface"]
+    with pytest.raises(MeshReadError, match="neither the content nor the name tells"):
+        read_bytes(data[:-1], file)
 
 
 @pytest.mark.parametrize(
