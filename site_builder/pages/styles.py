@@ -20,7 +20,7 @@ SHEETS = {
     ),
     "viewer": (
         "tokens", "base",
-        "viewer/page/page", "viewer/page/bar", "viewer/page/view", "viewer/page/empty_state",
+        "viewer/page/page", "viewer/page/bar", "viewer/page/view", "viewer/page/compare", "viewer/page/empty_state",
         "viewer/page/embedded", "viewer/page/progress_bar", "viewer/page/status_line", "viewer/page/message_list",
         "viewer/page/panel",
         "viewer/widgets/section", "viewer/widgets/row", "viewer/widgets/folding", "viewer/widgets/checkbox",
@@ -29,7 +29,7 @@ SHEETS = {
         "viewer/widgets/data_table", "viewer/widgets/pair_matrix",
         "viewer/panels/mesh", "viewer/panels/catalogue", "viewer/panels/findings", "viewer/panels/structure",
         "viewer/panels/histogram", "viewer/panels/quality", "viewer/panels/arrows", "viewer/panels/groups",
-        "viewer/panels/inspector",
+        "viewer/panels/inspector", "viewer/panels/compare",
         "viewer/dialogs/dialog", "viewer/dialogs/save", "viewer/dialogs/figure", "viewer/dialogs/status_editor",
         "viewer/dialogs/help",
     ),

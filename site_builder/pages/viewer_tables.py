@@ -7,8 +7,10 @@ from collections.abc import Iterator
 from typing import Any, TypedDict
 
 from hexalab import LIST_FORMS, __version__
+from hexalab.comparison import QUANTITIES as COMPARED
 from hexalab.formats import FORMATS, WRITERS
 from hexalab.quality import METRICS
+from hexalab.reference import REFERENCE_FORMATS
 from hexalab.session import DESCRIBED
 from hexalab.session.looking import MOST_AT_ONCE
 from hexalab.status import CORE_PATHS, DEFAULTS, SCHEMA
@@ -58,6 +60,17 @@ class TracedEntry(TypedDict):
     name: str
 
 
+class ComparedEntry(TypedDict):
+    """What the viewer knows of a number per cell that comes out of a comparison."""
+
+    id: str
+    name: str
+    better: str
+    length_power: int
+    metric: str
+    cellwise: bool
+
+
 class ListFormEntry(TypedDict):
     """What the viewer knows of a form that cells are copied in."""
 
@@ -83,7 +96,9 @@ class ViewerTables(TypedDict):
     statistics: tuple[str, ...]
     metrics: list[MetricEntry]
     traced: list[TracedEntry]
+    compared: list[ComparedEntry]
     formats: list[FormatEntry]
+    surfaces: list[FormatEntry]
     writers: list[WriterEntry]
     list_forms: list[ListFormEntry]
     most_at_once: int
@@ -118,6 +133,20 @@ def viewer_tables() -> ViewerTables:
             for metric in METRICS.values()
         ],
         "traced": [{"id": id, "name": one.name} for id, one in QUANTITIES.items()],
+        "compared": [
+            {
+                "id": id,
+                "name": row.name,
+                "better": row.better,
+                "length_power": row.length_power,
+                "metric": row.metric,
+                "cellwise": row.cellwise,
+            }
+            for id, row in COMPARED.items()
+        ],
+        "surfaces": [
+            {"id": one.id, "name": one.name, "extensions": list(one.extensions)} for one in REFERENCE_FORMATS
+        ],
         "formats": [{"id": one.id, "name": one.name, "extensions": list(one.extensions)} for one in FORMATS],
         "writers": [{"id": one.id, "name": one.name, "extension": one.extension} for one in WRITERS],
         "list_forms": [{"id": one.id, "name": one.name} for one in LIST_FORMS],

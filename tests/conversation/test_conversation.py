@@ -173,6 +173,7 @@ def test_A1_a_whole_conversation(ask: Ask, said: set[str], attributed: bytes, tw
     say("open", "grid.vtk", attributed)
     talk_of_structure(say)
     talk_of_groups(say)
+    talk_of_two(say, attributed)
     assert said == set(METHODS), "every method is asked for once at least"
 
 
@@ -234,6 +235,46 @@ def talk_of_groups(say: Callable[..., Any]) -> None:
     assert (hidden["shown_cells"], hidden["marks"]["counts"]) == (2, {"nodes": 1})
     coloured = say("update", {"colour": {"by": "group", "grouping": "elset"}})["colour"]
     assert coloured["map_position"][0] == coloured["map_position"][1] != coloured["map_position"][2]
+
+
+def talk_of_two(say: Callable[..., Any], attributed: bytes) -> None:
+    """A box of 3 x 2 x 1, beside itself one to the right; then beside a square above it."""
+    say("open", "grid.vtk", attributed)
+    with pytest.raises(Refused, match="the mesh is compared with nothing"):
+        say("measure_distance")
+    handed = say("hand_over", say("fingerprint"))
+    assert (handed["vertices"], handed["cells"], handed["volume"]) == (24, 6, pytest.approx(6))
+    assert (handed["points"].size, handed["triangles"].size) == (3 * 24, 3 * 44)
+    points, coordinates = (handed[name].reshape(3, -1).copy() for name in ("points", "coordinates"))
+    points[0] += 1
+    coordinates[0] += 1
+    told = {**{name: handed[name] for name in ("vertices", "cells", "volume")}, "name": "moved"}
+    blocks = [array.tobytes() for array in (points, handed["triangles"], coordinates)]
+    compared = say("compare_with", told, *blocks, True)
+    assert (compared["same_cells"], compared["displacement"]["max"], compared["volume_ratio"]) == (True, 1, 1)
+    measured = {"done": 0}
+    while measured["done"] < measured.get("of", 1):
+        measured = say("measure_distance")
+    assert measured == {"done": 24, "of": 24}
+    facts = say("distance_facts", False, 2)["there"]
+    assert (facts["max"], facts["max_percent"], facts["vertices"]) == (1, 50, 24)
+    assert say("distance_csv").splitlines()[:2] == ["vertex,x,y,z,distance", "0,0.0,0.0,0.0,1.0"]
+    assert say("metric_changes", "volume") == {
+        "worse": 0, "better": 0, "same": 6, "largest_loss": 0, "cells": [],
+    }  # fmt: skip
+    assert say("quality", "compare:displacement")["mean"] == 1
+    drawn = say("update", {"compare": {"reference": {"shown": True}}})["reference"]["positions"]
+    assert drawn.reshape(-1, 4, 3)[:, :, 0].max() == pytest.approx((4 - 1.5) / 14**0.5)
+    with pytest.raises(Refused, match="nothing is offered by the name of 'none'"):
+        say("compare_with_offered", "none")
+    square = "OFF\n4 1 0\n0 0 3\n3 0 3\n3 2 3\n0 2 3\n4 0 1 2 3\n"
+    assert say("compare_with_surface", "square.off", square.encode())["surface"]["triangles"] == 2
+    say("measure_distance", True)
+    both = say("distance_facts", True)
+    assert (both["there"]["max"], both["back"]["max"], both["back"]["vertices"]) == (3, 2, 4)
+    assert say("stop_comparing") is None
+    gone = say("update", {})
+    assert len(gone["reference"]["positions"]) == 0
 
 
 @pytest.mark.parametrize("method", ["_opened", "__init__", "preview", "formats", "x; import os"])

@@ -42,6 +42,7 @@ VERBS = {
     "structure": Verb(
         "tell the structure of meshes: irregular graph, sheets, blocks", "hexalab.cli.structure"
     ),
+    "compare": Verb("compare two meshes, or a mesh and a surface", "hexalab.cli.compare"),
     "convert": Verb("write a mesh in another format", "hexalab.cli.convert"),
     "view": Verb("open the viewer on files of this machine", "hexalab.cli.view"),
     "render": Verb("make a picture of a mesh", "hexalab.cli.render", RENDER),

@@ -7,13 +7,14 @@ import os
 import socket
 import sys
 from argparse import ArgumentParser, ArgumentTypeError, Namespace
+from collections.abc import Mapping
 from contextlib import ExitStack
 from ipaddress import ip_address
 from pathlib import Path
 
 from ..errors import HexaLabError
 from ..hosts.loopback import Loopback
-from ..hosts.offers import file_offers
+from ..hosts.offers import AnyOffer, FileOffer, compared_offers, file_offers
 from ..hosts.opening import has_screen, open_page
 from ..hosts.watching import Watch
 from .ports import add_port, taken
@@ -43,6 +44,12 @@ def configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--watch", action="store_true", help="open a file again when another program has written it anew"
     )
+    parser.add_argument(
+        "--compare",
+        action="store_true",
+        help="show the second file beside the first: another mesh, or a surface to measure against "
+        "(STL, OBJ, OFF, PLY, ...)",
+    )
     add_port(parser)
     parser.add_argument(
         "--host",
@@ -62,11 +69,24 @@ def run(arguments: Namespace) -> int:
             raise HexaLabError(f"{path}: found a folder, expected a mesh file")
         path.open("rb").close()  # what isn't there is told before anything starts
     status = read_status(arguments.status) if arguments.status else None
-    offers = file_offers(arguments.files)
-    next(iter(offers.values())).read_ahead()  # while the browser starts
+    if arguments.compare and len(arguments.files) != 2:
+        raise HexaLabError(f"--compare takes two files: found {len(arguments.files)}")
+    offers: Mapping[str, AnyOffer] = file_offers(arguments.files)
+    if arguments.compare:
+        offers = compared_offers(arguments.files)
+    for offer in offers.values():
+        if isinstance(offer, FileOffer):
+            offer.read_ahead()  # while the browser starts
+            if not arguments.compare:
+                break
     try:
         server = Loopback(
-            offers, host=arguments.host, port=arguments.port, status=status, watched=arguments.watch
+            offers,
+            host=arguments.host,
+            port=arguments.port,
+            status=status,
+            watched=arguments.watch,
+            compare="1" if arguments.compare else None,
         )
     except OSError as error:
         raise taken(arguments.port, error) from None

@@ -55,6 +55,8 @@ class FilterStack:
         Gives the rows of a group's cells, by its id; none by default.
     structure : callable, optional
         Gives the mesh's structure, if it is known already; it is traced here by default.
+    lost : callable, str to float, optional
+        What a cell without a value of a quantity that is no metric counts as; see `filters.quality.band`.
 
     Examples
     --------
@@ -69,10 +71,12 @@ class FilterStack:
         topology: Topology | None = None,
         members: Callable[[str], Ids] | None = None,
         structure: Callable[[], Structure] | None = None,
+        lost: Callable[[str], float] = lambda quantity: np.nan,
     ) -> None:
         self._mesh = mesh
         self._structure = structure or cache(lambda: Structure(mesh))
         self._members = members
+        self._lost = lost
         self._topology = topology or mesh.topology
         self._values = values
         self._places: OrderedDict[Hashable, Places] = OrderedDict()
@@ -90,6 +94,10 @@ class FilterStack:
             if others is not None:
                 hidden = hidden | others
         return ~self._picked(hidden, filters)
+
+    def forget_quality(self) -> None:
+        """Forget which cells were hidden by value: some quantities are others now."""
+        self._masks.pop("quality", None)
 
     def hidden_by(self, group: str, filters: Settings) -> Hidden:
         """Which cells some of the filters would hide by themselves, (C,) bool.
@@ -188,7 +196,7 @@ class FilterStack:
         """Cells that any of the bands does not keep."""
         hidden = np.zeros(self._mesh.cell_count, dtype=bool)
         for quantity, keep, minimum, maximum in bands:
-            worst = METRICS[quantity].worst if quantity in METRICS else np.nan
+            worst = METRICS[quantity].worst if quantity in METRICS else self._lost(quantity)
             hidden |= band(self._values(quantity), keep, minimum, maximum, worst)
         return hidden
 

@@ -26,7 +26,7 @@ from ..errors import HexaLabError
 from .built import PAGE, built_viewer
 from .frames import read_question
 from .gate import LOOPBACK, refusal, same, token_of
-from .offers import Offer
+from .offers import AnyOffer, listed
 from .seat import Seat
 from .serving import TYPES
 
@@ -46,7 +46,7 @@ Event = dict[str, Any]
 class Listener(Seat):
     """A page's session, and what it is told."""
 
-    def __init__(self, offers: Mapping[str, Offer]) -> None:
+    def __init__(self, offers: Mapping[str, AnyOffer]) -> None:
         super().__init__(offers)
         self._news: SimpleQueue[Event] | None = None
 
@@ -80,8 +80,8 @@ class Loopback(ThreadingHTTPServer):
 
     Parameters
     ----------
-    offers : mapping of str to Offer
-        What pages may open; the first is opened.
+    offers : mapping of str to Offer or SurfaceOffer
+        What pages may open, and compare with; the first is opened.
     host : str
         An address of the loopback.
     port : int
@@ -92,6 +92,8 @@ class Loopback(ThreadingHTTPServer):
         Whether pages are to know that changes will be told.
     opens : bool
         Whether pages open the first mesh by themselves.
+    compare : str, optional
+        The offer that pages compare the first with.
     grace : float
         Seconds that the session of a page that has gone is kept.
     viewer : Path, optional
@@ -110,13 +112,14 @@ class Loopback(ThreadingHTTPServer):
 
     def __init__(
         self,
-        offers: Mapping[str, Offer],
+        offers: Mapping[str, AnyOffer],
         *,
         host: str = "127.0.0.1",
         port: int = 0,
         status: dict[str, Any] | None = None,
         watched: bool = False,
         opens: bool = True,
+        compare: str | None = None,
         grace: float = GRACE,
         viewer: Path | None = None,
     ) -> None:
@@ -129,6 +132,7 @@ class Loopback(ThreadingHTTPServer):
         self.status = status
         self.watched = watched
         self.opens = opens
+        self.compare = compare
         self.token = secrets.token_urlsafe(32)
         self._ticket = secrets.token_urlsafe(32)
         self._grace = grace
@@ -197,10 +201,11 @@ class Loopback(ThreadingHTTPServer):
         return {
             "version": __version__,
             "token": self.token,
-            "offers": [{"id": name, "name": offer.name} for name, offer in self.offers.items()],
+            "offers": listed(self.offers),
             "status": self.status,
             "watched": self.watched,
             "opens": self.opens,
+            "compare": self.compare,
         }
 
     def seat(self, name: str) -> Listener | None:

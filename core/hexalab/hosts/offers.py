@@ -8,12 +8,16 @@ import threading
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Protocol
+from typing import Any, Protocol
 
 from ..errors import HexaLabError
 from ..formats import read, read_bytes
 from ..mesh import Mesh
+from ..reference import TriangleSurface, is_surface, read_reference
 from ..session import prepared
+
+HEAD = 8192
+"""Bytes by which a surface is told from a mesh."""
 
 Stamp = tuple[int, int, int]
 """What tells two versions of a file apart: modification time in nanoseconds, bytes, inode."""
@@ -51,8 +55,8 @@ class Offer(Protocol):
         """Bytes of that file; None where there is none."""
 
 
-class FileOffer:
-    """A file that may be opened again and again, by several pages; the version that was read last is kept.
+class File:
+    """A file of this machine that may be written anew.
 
     Parameters
     ----------
@@ -65,6 +69,30 @@ class FileOffer:
         self.path = path
         self.name = name
         self._lock = threading.Lock()
+
+    def hasher(self) -> Callable[[], str]:
+        """What hashes the file as it is then."""
+        return self.sha256
+
+    def sha256(self) -> str:
+        """SHA-256 of the file as it is now, in hexadecimal; "" where it can't be read."""
+        try:
+            with open(self.path, "rb") as file:
+                return hashlib.file_digest(file, "sha256").hexdigest()
+        except OSError:
+            return ""
+
+    def size(self) -> int | None:
+        """Bytes of the file as it is now; None where it is not there."""
+        stamp = stamp_of(self.path)
+        return stamp[1] if stamp else None
+
+
+class FileOffer(File):
+    """A file that may be opened again and again, by several pages; the version that was read last is kept."""
+
+    def __init__(self, path: Path, name: str) -> None:
+        super().__init__(path, name)
         self._read: tuple[Stamp | None, Mesh] | None = None
 
     def mesh(self) -> Mesh:
@@ -90,28 +118,36 @@ class FileOffer:
         thread.start()
         return thread
 
-    def hasher(self) -> Callable[[], str]:
-        """What hashes the file as it is then."""
-        return self.sha256
-
-    def sha256(self) -> str:
-        """SHA-256 of the file as it is now, in hexadecimal; "" where it can't be read."""
-        try:
-            with open(self.path, "rb") as file:
-                return hashlib.file_digest(file, "sha256").hexdigest()
-        except OSError:
-            return ""
-
-    def size(self) -> int | None:
-        """Bytes of the file as it is now; None where it is not there."""
-        stamp = stamp_of(self.path)
-        return stamp[1] if stamp else None
-
     def _try(self) -> None:
         try:
             self.mesh()
         except Exception:
             return
+
+
+class SurfaceOffer(File):
+    """A file with a reference surface, to be compared with again and again; the version that was read last is kept."""
+
+    def __init__(self, path: Path, name: str) -> None:
+        super().__init__(path, name)
+        self._read: tuple[Stamp | None, TriangleSurface] | None = None
+
+    def surface(self) -> TriangleSurface:
+        """Read the file, if it has changed.
+
+        Raises
+        ------
+        MeshReadError
+            It can't be read, or is not there.
+        """
+        with self._lock:
+            stamp = stamp_of(self.path)
+            if self._read is None or self._read[0] != stamp:
+                self._read = stamp, read_reference(self.path)
+            return self._read[1]
+
+
+AnyOffer = Offer | SurfaceOffer
 
 
 @dataclass(frozen=True)
@@ -176,8 +212,33 @@ class Easel:
 
 def file_offers(paths: Sequence[Path]) -> dict[str, FileOffer]:
     """Offers of files, by their places in the list; files of one name are told apart by their folders."""
-    names = [path.name for path in paths]
-    shown = [path.name if names.count(path.name) == 1 else str(path) for path in paths]
+    return {str(place): FileOffer(path, name) for place, (path, name) in enumerate(_named(paths))}
+
+
+def compared_offers(paths: Sequence[Path]) -> dict[str, FileOffer | SurfaceOffer]:
+    """The same for files that are compared: all but the first may be reference surfaces."""
     return {
-        str(place): FileOffer(path, name) for place, (path, name) in enumerate(zip(paths, shown, strict=True))
+        str(place): (SurfaceOffer if place and _holds_surface(path) else FileOffer)(path, name)
+        for place, (path, name) in enumerate(_named(paths))
     }
+
+
+def _named(paths: Sequence[Path]) -> list[tuple[Path, str]]:
+    names = [path.name for path in paths]
+    return [(path, path.name if names.count(path.name) == 1 else str(path)) for path in paths]
+
+
+def _holds_surface(path: Path) -> bool:
+    try:
+        with open(path, "rb") as file:
+            return is_surface(file.read(HEAD), path.name)
+    except OSError:
+        return False
+
+
+def listed(offers: Mapping[str, AnyOffer]) -> list[dict[str, Any]]:
+    """What a page is told of offers."""
+    return [
+        {"id": id, "name": offer.name, "surface": isinstance(offer, SurfaceOffer)}
+        for id, offer in offers.items()
+    ]

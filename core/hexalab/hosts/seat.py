@@ -12,7 +12,7 @@ from ..packing import Packed
 from ..session import Session
 from ..session.door import Door
 from .frames import Question
-from .offers import Offer
+from .offers import AnyOffer, SurfaceOffer
 
 Identify = Callable[[int, str], None]
 """Called with a question's number and the SHA-256 of the file that it opened, "" where there is none."""
@@ -25,15 +25,16 @@ class Seat:
 
     Parameters
     ----------
-    offers : mapping of str to Offer
-        What the page may open without sending it.
+    offers : mapping of str to Offer or SurfaceOffer
+        What the page may open, or compare with, without sending it.
     """
 
-    def __init__(self, offers: Mapping[str, Offer]) -> None:
+    def __init__(self, offers: Mapping[str, AnyOffer]) -> None:
         self._offers = offers
-        meshes = {name: offer.mesh for name, offer in offers.items()}
-        sizes = {name: offer.size for name, offer in offers.items()}
-        self._door = Door(Session(meshes, sizes))
+        surfaces = {name: one.surface for name, one in offers.items() if isinstance(one, SurfaceOffer)}
+        meshes = {name: one.mesh for name, one in offers.items() if not isinstance(one, SurfaceOffer)}
+        sizes = {name: one.size for name, one in offers.items()}
+        self._door = Door(Session(meshes, sizes, surfaces))
         self._lock = threading.Lock()
 
     def answer(self, question: Question) -> tuple[Packed, float]:

@@ -17,7 +17,7 @@ not asked.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from importlib import import_module
 from math import isfinite
@@ -115,21 +115,31 @@ def _finding(value: Any) -> str | None:
     return value if isinstance(value, str) and value in FINDINGS else None
 
 
-KNOWN = {"metric": tuple(METRICS), "finding": FINDINGS}
+KNOWN: dict[str, tuple[str, ...]] = {
+    "metric": tuple(METRICS),
+    "difference": tuple(METRICS),
+    "worse": tuple(METRICS),
+    "finding": tuple(FINDINGS),
+}
 """Names that a field takes, to tell the nearest of them."""
 
 BOUND = Field(_number, "a number")
+SHARE = Field(_share, "a number from 0 to 1")
+METRIC = Field(_metric, "the id of a metric")
 COUNT = Field(_count, "a number of 0 or more")
 GROUP = Field(_name, "the name or the id of a group of cells")
 
-KINDS: dict[str, tuple[type[Criterion], dict[str, Field]]] = {
+Kinds = Mapping[str, tuple[Callable[..., Any], Mapping[str, Field]]]
+"""The kinds of criteria, by the field that tells them: what each is made into, and its fields."""
+
+KINDS: Kinds = {
     "metric": (
         MetricCriterion,
         {
-            "metric": Field(_metric, "the id of a metric"),
+            "metric": METRIC,
             "minimum": BOUND,
             "maximum": BOUND,
-            "share": Field(_share, "a number from 0 to 1"),
+            "share": SHARE,
             "group": GROUP,
         },
     ),
@@ -139,11 +149,17 @@ KINDS: dict[str, tuple[type[Criterion], dict[str, Field]]] = {
         {"finding": Field(_finding, "the id of a finding"), "at_most": COUNT},
     ),
 }
-"""The kinds of criteria, by the field that tells them: what each is made into, and its fields."""
+"""What a report asks of a mesh."""
 
 
-def read_criteria(path: Path) -> list[Criterion]:
+def read_criteria(path: Path, kinds: Kinds = KINDS) -> list[Any]:
     """Read criteria from a file, `.yaml` and `.yml` as YAML, anything else as JSON.
+
+    Parameters
+    ----------
+    path : Path
+    kinds : mapping
+        What may be asked; by default what a report asks of a mesh.
 
     Raises
     ------
@@ -154,10 +170,10 @@ def read_criteria(path: Path) -> list[Criterion]:
     OSError
         It can't be read.
     """
-    return checked(parsed(path), str(path))
+    return checked(parsed(path), str(path), kinds)
 
 
-def checked(document: Any, name: str = "criteria") -> list[Criterion]:
+def checked(document: Any, name: str = "criteria", kinds: Kinds = KINDS) -> list[Any]:
     """Make a parsed document of criteria a list of them.
 
     Parameters
@@ -166,6 +182,8 @@ def checked(document: Any, name: str = "criteria") -> list[Criterion]:
         As JSON has it: a dict with the key `criteria`, or the list alone.
     name : str
         Of the file, for messages.
+    kinds : mapping
+        What may be asked.
 
     Raises
     ------
@@ -181,17 +199,17 @@ def checked(document: Any, name: str = "criteria") -> list[Criterion]:
         raise _wrong(name, "criteria", _told(document), "a list")
     if not document:
         raise _wrong(name, "criteria", "an empty list", "one criterion at least")
-    return [_entry(entry, name, f"criteria[{place}]") for place, entry in enumerate(document)]
+    return [_entry(entry, name, f"criteria[{place}]", kinds) for place, entry in enumerate(document)]
 
 
-def _entry(entry: Any, name: str, place: str) -> Criterion:
+def _entry(entry: Any, name: str, place: str, kinds: Kinds) -> Any:
     if not isinstance(entry, dict):
-        raise _wrong(name, place, _told(entry), f"an entry with one of {', '.join(KINDS)}")
-    kinds = [kind for kind in KINDS if kind in entry]
-    if len(kinds) != 1:
-        found = f"{' and '.join(kinds)} in one entry" if kinds else f"the keys {_listed(entry)}"
-        raise _wrong(name, place, found, f"one of {', '.join(KINDS)}")
-    make, fields = KINDS[kinds[0]]
+        raise _wrong(name, place, _told(entry), f"an entry with one of {', '.join(kinds)}")
+    named = [kind for kind in kinds if kind in entry]
+    if len(named) != 1:
+        found = f"{' and '.join(named)} in one entry" if named else f"the keys {_listed(entry)}"
+        raise _wrong(name, place, found, f"one of {', '.join(kinds)}")
+    make, fields = kinds[named[0]]
     values = {}
     for key, value in entry.items():
         if key not in fields:
@@ -201,15 +219,14 @@ def _entry(entry: Any, name: str, place: str) -> Criterion:
             expected = fields[key].expected + _nearest(key, value)
             raise _wrong(name, f"{place}.{key}", _told(value), expected)
     criterion = make(**values)
-    if isinstance(criterion, MetricCriterion):
-        _check_bounds(criterion, name, place)
+    if {"minimum", "maximum"} <= fields.keys():
+        _check_bounds(named[0], criterion.minimum, criterion.maximum, name, place)
     return criterion
 
 
-def _check_bounds(criterion: MetricCriterion, name: str, place: str) -> None:
-    low, high = criterion.minimum, criterion.maximum
+def _check_bounds(kind: str, low: float | None, high: float | None, name: str, place: str) -> None:
     if low is None and high is None:
-        raise _wrong(name, place, "a metric without bounds", "minimum, maximum, or both")
+        raise _wrong(name, place, f"a {kind} without bounds", "minimum, maximum, or both")
     if low is not None and high is not None and low > high:
         raise _wrong(name, place, f"minimum {low:g} above maximum {high:g}", "a minimum below the maximum")
 

@@ -25,7 +25,9 @@ from ..errors import HexaLabError
 from ..formats import read_bytes
 from ..mesh import Mesh
 from ..packing import jsonable
+from ..reference import TriangleSurface
 from . import going, inspection, known, measuring, shown_cells
+from .comparing import Comparing
 from .opened import DESCRIBED, Opened
 from .picture import Picture, quantity_of
 from .preparing import prepared
@@ -45,8 +47,11 @@ Offers = Mapping[str, Callable[[], Mesh]]
 Sizes = Mapping[str, Callable[[], int | None]]
 """Bytes of the files that these were read from."""
 
+Surfaces = Mapping[str, Callable[[], TriangleSurface]]
+"""Reference surfaces that whoever holds the session has at hand."""
 
-class Session(Tracing):
+
+class Session(Tracing, Comparing):
     """One open mesh, and the settings that it is drawn under.
 
     Parameters
@@ -55,14 +60,19 @@ class Session(Tracing):
         Meshes that can be opened without their bytes being sent.
     sizes : mapping of str to callable, optional
         Bytes of the files that these are, for reports.
+    surfaces : mapping of str to callable, optional
+        Reference surfaces that the mesh can be compared with, by names like those of offers.
 
     >>> session = Session()
     >>> summary = session.open("cube.mesh", data)                                    # doctest: +SKIP
     >>> session.update({"filters": {"peel": {"depth": 1}}})["shown_cells"]           # doctest: +SKIP
     """
 
-    def __init__(self, offers: Offers | None = None, sizes: Sizes | None = None) -> None:
+    def __init__(
+        self, offers: Offers | None = None, sizes: Sizes | None = None, surfaces: Surfaces | None = None
+    ) -> None:
         self._offers: Offers = offers or {}
+        self._surfaces: Surfaces = surfaces or {}
         self._sizes: Sizes = sizes or {}
         self._size: int | None = None
         self._settings: Result = SETTINGS
@@ -301,9 +311,11 @@ class Session(Tracing):
         """Count the values of a metric or an attribute in bins; see `measuring.histogram_of`."""
         opened = self._open_mesh()
         colour = self._settings["colour"]
-        limits = colour["range"] if quantity_of(colour) == quantity else None
+        limits, reach = (
+            (colour["range"], colour["reach"]) if quantity_of(colour) == quantity else (None, None)
+        )
         shown = self._drawn().shown if shown_only else None
-        return measuring.histogram_of(opened, quantity, int(bins), shown, limits)
+        return measuring.histogram_of(opened, quantity, int(bins), shown, limits, reach)
 
     def group_table(self) -> list[Result]:
         """Measure the groups of cells: `id`, `volume`, `scaled_jacobian_min` and `_mean`, `invalid` of each."""

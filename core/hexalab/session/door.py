@@ -50,6 +50,16 @@ METHODS = (
     "structure_csv",
     "sheet_pairs",
     "structure_box",
+    "fingerprint",
+    "hand_over",
+    "compare_with",
+    "compare_with_offered",
+    "compare_with_surface",
+    "stop_comparing",
+    "measure_distance",
+    "distance_facts",
+    "distance_csv",
+    "metric_changes",
 )
 """What may be asked; nothing else of a session can be reached from outside."""
 

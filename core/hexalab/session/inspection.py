@@ -11,6 +11,7 @@ from .. import attributes
 from ..arrays import Array, Floats
 from ..attributes import average_corners, cell_values
 from ..cells import CORNERS_OF_KIND, EDGES, KINDS
+from ..comparison import QUANTITIES as COMPARED
 from ..diagnosis import Finding
 from ..errors import HexaLabError
 from ..mesh import Mesh
@@ -96,7 +97,7 @@ def value(opened: Opened, cell: int, quantity: str) -> dict[str, Any]:
     if quantity in METRICS:
         metrics = cell_metrics(opened, cell, [quantity])
         return {**told, "value": metrics.get(quantity), "pending": quantity not in metrics}
-    if quantity in QUANTITIES:
+    if quantity in QUANTITIES or quantity in COMPARED:
         return {**told, "value": _finite(opened.values(quantity)[cell])}
     attribute = opened.attribute(quantity)
     one = alone(opened.mesh, cell, attribute.array)

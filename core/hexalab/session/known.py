@@ -5,6 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from .. import status as documents
+from ..comparison import DISPLACEMENT
+from ..comparison import QUANTITIES as COMPARED
 from ..quality import METRICS
 from ..status import Rejection
 from ..structure.quantities import QUANTITIES
@@ -64,7 +66,7 @@ def _colour(colour: Partial, opened: Opened | None, rejections: list[Rejection])
         del colour["metric"]
         if colour.get("by") == "quality":
             del colour["by"]
-    if attribute and opened and attribute not in opened.attributes and attribute not in QUANTITIES:
+    if attribute and opened and not _is_known(attribute, opened):
         rejections.append(_unknown("colour.attribute", attribute, opened.attributes))
         del colour["attribute"]
         if colour.get("by") == "attribute":
@@ -76,6 +78,11 @@ def _colour(colour: Partial, opened: Opened | None, rejections: list[Rejection])
         if colour.get("by") == "group":
             del colour["by"]
     return colour
+
+
+def _is_known(quantity: str, opened: Opened) -> bool:
+    """Whether there is a quantity of that id, or will be when the mesh is compared with something."""
+    return quantity in QUANTITIES or quantity in COMPARED or quantity in opened.attributes
 
 
 def _groups(groups: Partial, opened: Opened | None, rejections: list[Rejection]) -> Partial:
@@ -109,7 +116,7 @@ def _marks(marks: Partial, opened: Opened | None, rejections: list[Rejection]) -
 
 def _arrows(arrows: Partial, opened: Opened | None, rejections: list[Rejection]) -> Partial:
     attribute = arrows.get("attribute")
-    if attribute and opened and attribute not in opened.vectors:
+    if attribute and opened and attribute != DISPLACEMENT and attribute not in opened.vectors:
         rejections.append(
             _unknown("arrows.attribute", attribute, opened.vectors, "attributes of three components")
         )
@@ -121,7 +128,7 @@ def _bands(quality: Partial, opened: Opened | None, rejections: list[Rejection])
     kept = []
     for place, band in enumerate(quality.get("items", ())):
         quantity = band["quantity"]
-        if quantity in METRICS or quantity in QUANTITIES or not opened or quantity in opened.attributes:
+        if quantity in METRICS or not opened or _is_known(quantity, opened):
             kept.append(band)
         else:
             known = [*METRICS, *opened.attributes]

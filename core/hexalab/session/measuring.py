@@ -11,9 +11,7 @@ from ..mesh import cell_barycentres
 from ..packing import jsonable
 from ..quality import METRICS, histogram
 from ..quality.measures import worst_first
-from .opened import Opened
-
-Limits = tuple[float, float] | None
+from .opened import Opened, Reach
 
 
 def statistics_of(opened: Opened, quantity: str) -> dict[str, Any]:
@@ -50,7 +48,7 @@ def statistics_of(opened: Opened, quantity: str) -> dict[str, Any]:
 
 
 def worst_of(opened: Opened, quantity: str, count: int) -> dict[str, Any]:
-    """Return the worst cells by a metric, or those of the highest values of an attribute.
+    """Return the worst cells by a metric or by a change of one, or those of the highest values of an attribute.
 
     Returns
     -------
@@ -60,7 +58,7 @@ def worst_of(opened: Opened, quantity: str, count: int) -> dict[str, Any]:
         has the metric.
     """
     mesh, metric, values = opened.mesh, METRICS.get(quantity), opened.values(quantity)
-    cells = worst_first(values, metric is not None and metric.better == "high", count)
+    cells = worst_first(values, opened.better_of(quantity) == "high", count)
     bad = ~np.isfinite(values)
     if metric is not None:
         bad &= np.isin(mesh.kinds, metric.kinds)
@@ -78,7 +76,12 @@ def worst_of(opened: Opened, quantity: str, count: int) -> dict[str, Any]:
 
 
 def histogram_of(
-    opened: Opened, quantity: str, bins: int, shown: NDArray[np.bool_] | None, limits: Limits
+    opened: Opened,
+    quantity: str,
+    bins: int,
+    shown: NDArray[np.bool_] | None,
+    limits: Reach = None,
+    reach: Reach = None,
 ) -> dict[str, Any]:
     """Count the values of a quantity in bins.
 
@@ -91,6 +94,8 @@ def histogram_of(
         Cells to count; None for all.
     limits : (low, high) or None
         Values at the ends of the colour map, if the status fixes them.
+    reach : (low, high) or None
+        Smallest and largest value that axis and colours are made for, if they are those of more than this mesh.
 
     Returns
     -------
@@ -101,7 +106,7 @@ def histogram_of(
     values = opened.values(quantity)
     if shown is not None:
         values = values[shown]
-    low, high = axis_of(opened, quantity)
+    low, high = axis_of(opened, quantity, reach)
     edges, counts = histogram(values, low, high, bins)
     middles = (edges[1:] + edges[:-1]) / 2
     return {
@@ -109,20 +114,20 @@ def histogram_of(
         "label": opened.label_of(quantity),
         "edges": edges,
         "counts": counts.astype(np.uint32),
-        "map_position": opened.map_positions(quantity, middles, limits).astype(np.float32),
+        "map_position": opened.map_positions(quantity, middles, limits, reach).astype(np.float32),
         "low": low,
         "high": high,
         "not_finite": int(np.count_nonzero(~np.isfinite(values))),
     }
 
 
-def axis_of(opened: Opened, quantity: str) -> tuple[float, float]:
-    """Return the ends of a histogram's axis: the mesh's finite values, and a metric's worst and best ones."""
-    reach = opened.range_of(quantity)
-    if reach is None:
+def axis_of(opened: Opened, quantity: str, reach: Reach = None) -> tuple[float, float]:
+    """Return the ends of a histogram's axis: the finite values, and a metric's worst and best ones."""
+    found = opened.ends_of(quantity, reach)
+    if found is None:
         return 0.0, 1.0
-    ends = list(reach)
+    ends = list(found)
     if quantity in METRICS:
-        ends += METRICS[quantity].denormalise(np.array([0.0, 1.0]), *reach).tolist()
+        ends += METRICS[quantity].denormalise(np.array([0.0, 1.0]), *found).tolist()
     ends = [end for end in ends if np.isfinite(end)]
     return min(ends), max(ends)

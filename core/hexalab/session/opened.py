@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import OrderedDict
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -11,6 +12,8 @@ from numpy.typing import NDArray
 
 from ..arrays import Floats
 from ..attributes import Attribute, attributes, cell_values, finite_range, own_vectors, vectors
+from ..comparison import DISPLACEMENT
+from ..comparison import QUANTITIES as COMPARED
 from ..diagnosis import Finding, diagnose
 from ..errors import HexaLabError
 from ..filters.plane import unit
@@ -32,6 +35,7 @@ from ..surface import (
     skin,
 )
 from ..topology.shapes import SHAPES, shapes
+from .compared import ComparedBook
 from .grouped import GroupBook
 from .looking import Onlooker
 from .marked import MarkBook
@@ -52,6 +56,10 @@ MOST_PARTS = 100
 
 MOST_BYTES_OF_VALUES = 96 * 2**20
 """Values per cell are kept up to this size, the least used leave first."""
+
+
+Reach = Sequence[float] | None
+"""Two values, in any order."""
 
 
 class UnknownQuantity(HexaLabError):
@@ -75,6 +83,16 @@ class Opened:
         self._statistics: dict[str, dict[str, Any]] = {}
         self._irregular: dict[tuple[bool, bool], Irregular] = {}
         self._fields: dict[str, VectorField] = {}
+        self.compared: ComparedBook | None = None
+
+    def compare(self, compared: ComparedBook | None) -> None:
+        """Put the mesh beside a counterpart, or beside none; what was known of the one before is forgotten."""
+        self.compared = compared
+        for kept in (self._values, self._ranges, self._statistics, self._fields):
+            for quantity in COMPARED.keys() & kept.keys():
+                del kept[quantity]
+        if "filters" in vars(self):
+            self.filters.forget_quality()
 
     @cached_property
     def groups(self) -> GroupBook:
@@ -141,7 +159,17 @@ class Opened:
     def filters(self) -> FilterStack:
         """The filters, with what they keep between two settings."""
         topology, members = self.drawn_mesh.topology, self.groups.members
-        return FilterStack(self.mesh, self.values, topology, members, lambda: self.traced.structure)
+        return FilterStack(
+            self.mesh, self.values, topology, members, lambda: self.traced.structure, self._lost
+        )
+
+    @staticmethod
+    def _lost(quantity: str) -> float:
+        """What a cell without a value counts as: one that can't have changed is not among those that got worse."""
+        row = COMPARED.get(quantity)
+        if row is None or not row.metric:
+            return np.nan
+        return np.inf if row.better == "high" else -np.inf
 
     @cached_property
     def findings(self) -> list[Finding]:
@@ -206,12 +234,20 @@ class Opened:
             values = quality(self.mesh, quantity)
         elif quantity in QUANTITIES:
             values = quantity_values(self.traced.structure, quantity)
+        elif quantity in COMPARED:
+            values = self._beside(quantity).values(quantity)
         else:
             values = cell_values(self.mesh, self.attribute(quantity))
         self._values[quantity] = values
         while len(self._values) > 1 and len(self._values) * values.nbytes > MOST_BYTES_OF_VALUES:
             self._values.popitem(last=False)
         return values
+
+    def _beside(self, quantity: str) -> ComparedBook:
+        """What the mesh is compared with; UnknownQuantity where that is nothing."""
+        if self.compared is None:
+            raise UnknownQuantity(f"{COMPARED[quantity].name}: the mesh is compared with nothing")
+        return self.compared
 
     def known_values(self, quantity: str) -> Floats | None:
         """Return the values of a quantity if they are there, (C,) float64; None if they would have to be computed."""
@@ -237,7 +273,10 @@ class Opened:
         UnknownQuantity
             If there is no attribute of that id, or it has not three components.
         """
-        if attribute not in self.vectors:
+        if attribute == DISPLACEMENT and attribute not in self._fields:
+            way = self._beside(attribute).counterpart.displacement(self.mesh)
+            self._fields = {attribute: VectorField(way, "point")}
+        elif attribute not in self.vectors and attribute != DISPLACEMENT:
             raise UnknownQuantity(f"there is no attribute {attribute!r} of three components")
         if attribute not in self._fields:
             row = self.vectors[attribute]
@@ -260,16 +299,35 @@ class Opened:
 
     def label_of(self, quantity: str) -> str:
         """Return what a metric or an attribute is called on the screen."""
-        named = METRICS if quantity in METRICS else QUANTITIES if quantity in QUANTITIES else self.attributes
-        name: str = named[quantity].name
+        tables: tuple[Mapping[str, Any], ...] = (METRICS, QUANTITIES, COMPARED, self.attributes)
+        name: str = next(table for table in tables if quantity in table)[quantity].name
         return name
 
+    def better_of(self, quantity: str) -> str:
+        """Return which of two values of a quantity is better, "high" or "low"; of what nobody knows, "low"."""
+        row = METRICS.get(quantity) or COMPARED.get(quantity)
+        return row.better if row else "low"
+
+    def ends_of(self, quantity: str, reach: Reach = None) -> tuple[float, float] | None:
+        """Return the values at the ends of a colour map that is not a metric's normalisation; None if there is none.
+
+        They are smallest and largest of the mesh, or of more than this one, `reach`; of changes, as far below 0 as
+        above.
+        """
+        low, high = sorted(reach or self.range_of(quantity) or (np.nan, np.nan))
+        if np.isnan(low):
+            return None
+        if quantity in COMPARED and COMPARED[quantity].metric:
+            most = max(abs(low), abs(high))
+            return -most, most
+        return low, high
+
     def map_positions(
-        self, quantity: str, values: Floats, limits: tuple[float, float] | None = None
+        self, quantity: str, values: Floats, limits: Reach = None, reach: Reach = None
     ) -> NDArray[np.float64]:
         """Place values on a colour map, from 0, its first colour, to 1, its last.
 
-        The first colour is that of the best value of a metric, or of the lowest of an attribute.
+        The first colour is that of the best value of a metric or of a change of one, or of the lowest of an attribute.
 
         Parameters
         ----------
@@ -278,6 +336,8 @@ class Opened:
         values : (n,) float64
         limits : (low, high), optional
             Values at the ends of the map; by default the metric's normalisation or the attribute's range.
+        reach : (low, high), optional
+            Smallest and largest value that these are made for; by default those of the mesh.
 
         Returns
         -------
@@ -285,12 +345,12 @@ class Opened:
             NaN where a value is not finite; below 0 and above 1 where it is beyond limits that were given.
         """
         metric = METRICS.get(quantity)
-        reach = self.range_of(quantity)
-        if reach is None:
+        ends = self.ends_of(quantity, reach)
+        if ends is None:
             return np.full(len(values), np.nan)
         if metric is not None and limits is None:
-            return np.asarray(1 - metric.normalise(values, *reach))
-        low, high = sorted(limits or reach)
+            return np.asarray(1 - metric.normalise(values, *ends))
+        low, high = sorted(limits or ends)
         with np.errstate(invalid="ignore", over="ignore"):
             share: Floats = np.zeros(len(values))  # where all values are alike
             if high > low:
@@ -300,7 +360,7 @@ class Opened:
             reach_beyond = BEYOND if limits else 0.0
             normal = np.clip(share, -reach_beyond, 1 + reach_beyond)
         normal = np.where(np.isfinite(values), normal, np.nan)
-        turned = metric is not None and metric.better == "high"
+        turned = self.better_of(quantity) == "high"
         return np.asarray(1 - normal if turned else normal, dtype=np.float64)
 
     def irregular(self, barbs: bool, paper: bool) -> Irregular:

@@ -10,9 +10,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..quality import METRICS
-from ..surface import LINED, DrawnMesh, ExplodedMesh, extract_arrows, extract_silhouette, extract_surface
+from ..surface import (
+    LINED,
+    NO_SILHOUETTE,
+    DrawnMesh,
+    ExplodedMesh,
+    extract_arrows,
+    extract_silhouette,
+    extract_surface,
+)
 from ..surface.curves import Drawing
+from .compared import ComparedBook
 from .looking import NOTHING, Look
 from .opened import Opened
 
@@ -33,7 +41,7 @@ GROUP = "group:"
 COLOURS = 256
 """The viewer's palettes have so many entries."""
 
-GOING = ("see_through", "marks", "curves")
+GOING = ("see_through", "marks", "curves", "reference")
 """Records that are sent empty when they are switched off."""
 
 BARBED = (3, 4)
@@ -117,6 +125,10 @@ class Picture:
         self._renew_wanted(
             parts, "marks", self.opened.marks.wanted(marks), marked, self._extract_marks, marks
         )
+        reference = self.opened.compared if settings["compare"]["reference"]["shown"] else None
+        self._renew_wanted(
+            parts, "reference", reference is not None, reference, self._extract_reference, reference
+        )
         curves = (self._version if self._look.passing else None, self._look.lined)
         self._renew_wanted(parts, "curves", self._look.curved, curves, self._extract_curves)
 
@@ -128,6 +140,7 @@ class Picture:
     def forget(self) -> None:
         """Let the next update return every record: what was made last has not come to whoever draws it."""
         self._made = {name: object() for name in GOING}  # those that were switched off have to go, too
+        self._filters = None
 
     def shown_faces(self) -> int:
         """Return the number of faces between shown cells and hidden ones or the outside."""
@@ -156,15 +169,16 @@ class Picture:
                 "high": None,
                 "high_first": False,
             }
-        positions = opened.map_positions(quantity, opened.values(quantity), colour["range"])
-        low, high = colour["range"] or opened.range_of(quantity) or (None, None)
+        limits, reach = colour["range"], colour["reach"]
+        positions = opened.map_positions(quantity, opened.values(quantity), limits, reach)
+        low, high = limits or opened.ends_of(quantity, reach) or (None, None)
         return {
             "map_position": positions.astype(np.float32),
             "quantity": quantity,
             "label": opened.label_of(quantity),
             "low": low,
             "high": high,
-            "high_first": quantity in METRICS and METRICS[quantity].better == "high",
+            "high_first": opened.better_of(quantity) == "high",
         }
 
     def _colour_by_group(self, origin: str) -> dict[str, Any] | None:
@@ -195,7 +209,8 @@ class Picture:
         """What the colours are made from."""
         quantity, mapped = quantity_of(colour), colour["by"] in ("quality", "attribute")
         look = {"block": self._look.base, "chosen": self._look.told_apart}.get(colour["by"])
-        return quantity, _frozen(colour["range"]) if mapped else None, look
+        ends = (_frozen(colour["range"]), _frozen(colour["reach"])) if mapped else None
+        return quantity, ends, look
 
     def _filter(self, filters: Settings) -> None:
         if filters == self._filters:
@@ -243,6 +258,10 @@ class Picture:
         if not self._look.curved:
             return Drawing().record().arrays()
         return self.opened.onlooker.curves(self._look, self.shown, self._drawn_mesh).arrays()
+
+    def _extract_reference(self, compared: ComparedBook | None) -> dict[str, Any]:
+        drawn = compared.drawn(self.opened.drawn_mesh.frame) if compared else NO_SILHOUETTE
+        return drawn.arrays()
 
     def _extract_arrows(self, attribute: str, gap: float) -> dict[str, Any]:
         field = self.opened.field(attribute)

@@ -38,6 +38,9 @@ FIGURE = section(
         "default": "",
         "description": "Empty: the mesh's name and, if it is the catalogue's, its reference",
     },
+    meshes=choice(
+        "together", "apart", description="Two that are compared: in one picture, or each in its own file"
+    ),
     panels=section(
         "Several pictures in a row, under settings that differ by one value.",
         setting=choice(

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from .compare_schema import COMPARE
 from .figure_schema import FIGURE
 from .structure_schema import STRUCTURE, STRUCTURE_FILTER
 from .words_of_schema import (
@@ -15,6 +16,7 @@ from .words_of_schema import (
     COLOUR,
     DIRECTION,
     GROUP_IDS,
+    IDENTITY,
     NUMBERS,
     ON,
     OPEN_END,
@@ -29,12 +31,7 @@ from .words_of_schema import (
 VERSION = 2
 """Version 1 called the quantity of a band its `source`."""
 
-MESH = section(
-    "The mesh that the view was made of; tells, and is not applied.",
-    name={"type": "string", "default": ""},
-    sha256={"type": "string", "pattern": "^([0-9a-f]{64})?$", "maxLength": 64, "default": ""},
-    cells={"type": "integer", "minimum": 0, "default": 0},
-)
+MESH = section("The mesh that the view was made of; tells, and is not applied.", **IDENTITY)
 
 CAMERA = section(
     "Where the eye is. Lengths in diagonals of the mesh's frame: its extent, or that of its largest part if it has "
@@ -148,7 +145,11 @@ COLOUR_BY = section(
     inside={**COLOUR, "default": "#ffff00", "description": "Faces that filters expose"},
     metric=core({"type": "string", "minLength": 1, "default": "scaled_jacobian"}),
     attribute=core(
-        {"type": "string", "default": "", "description": "cell:NAME, point:NAME or structure:NAME"}
+        {
+            "type": "string",
+            "default": "",
+            "description": "cell:NAME, point:NAME, structure:NAME, compare:NAME or change:METRIC",
+        }
     ),
     grouping=core(
         {
@@ -158,7 +159,7 @@ COLOUR_BY = section(
             "description": "Origin of the groups; empty: the first",
         }
     ),
-    map=choice("parula", "viridis", "jet", "red_blue"),
+    map=choice("parula", "viridis", "jet", "red_blue", "diverging"),
     reversed={"type": "boolean", "default": False, "description": "Whether the map runs the other way"},
     steps={
         "type": "integer",
@@ -183,6 +184,17 @@ COLOUR_BY = section(
             "maxItems": 2,
             "default": None,
             "description": "Values at the ends of the map; null: the mesh's own",
+        }
+    ),
+    reach=core(
+        {
+            "type": ["array", "null"],
+            "items": {"type": "number"},
+            "minItems": 2,
+            "maxItems": 2,
+            "default": None,
+            "description": "Smallest and largest value that the colours are made for; null: the mesh's own, or those "
+            "of two that are compared",
         }
     ),
 )
@@ -284,6 +296,7 @@ SCHEMA: Schema = {
             ),
         ),
         structure=STRUCTURE,
+        compare=COMPARE,
         lighting=section(
             "Light.",
             mode=choice("object_space_ao", "screen_space_ao", "direct", "none"),

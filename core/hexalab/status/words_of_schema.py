@@ -14,6 +14,12 @@ OPEN_END = {"type": ["number", "null"], "default": None}
 NUMBERS = {"type": "array", "items": {"type": "integer", "minimum": 0}, "default": []}
 CELL_IDS = {**NUMBERS, "description": "Cells by number, from 0 in the file's order"}
 ON = {"type": "boolean", "default": True}
+IDENTITY: dict[str, Schema] = {
+    "name": {"type": "string", "default": ""},
+    "sha256": {"type": "string", "pattern": "^([0-9a-f]{64})?$", "maxLength": 64, "default": ""},
+    "cells": {"type": "integer", "minimum": 0, "default": 0},
+}
+"""By what a mesh is known again."""
 GROUP_IDS = {
     "type": "array",
     "items": {"type": "string", "minLength": 1, "maxLength": 500},

@@ -15,13 +15,15 @@ from .fissure import fissure
 from .frame import Frame, long_axis, outline, skin
 from .irregular import extract_irregular
 from .lines import interface_quads, lines
-from .records import Arrows, Irregular, Silhouette, Surface
+from .records import NO_SILHOUETTE, Arrows, Irregular, Silhouette, Surface
+from .reference import extract_reference
 from .rounded import rounded
 from .silhouette import extract_silhouette
 
 __all__ = [
     "LINED",
     "MODES",
+    "NO_SILHOUETTE",
     "Arrows",
     "BoundaryEdges",
     "DrawnMesh",
@@ -36,6 +38,7 @@ __all__ = [
     "dual_surface",
     "extract_arrows",
     "extract_irregular",
+    "extract_reference",
     "extract_silhouette",
     "extract_surface",
     "long_axis",

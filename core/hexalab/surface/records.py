@@ -76,6 +76,10 @@ class Silhouette:
         return dict(vars(self))
 
 
+NO_SILHOUETTE = Silhouette(np.empty(0, np.float32), np.empty(0, np.int16))
+"""Of nothing."""
+
+
 @dataclass(frozen=True)
 class Irregular:
     """The irregular structure: interior edges with other than four cells, boundary edges with other than two.

@@ -124,10 +124,11 @@ export class HexaLab {
    *
    * @param {import("./figures.js").FigureFormat} [format] "png", which carries the status, "svg" or "pdf"
    * @param {{ width?: number, height?: number }} [size] pixels, instead of what the status asks for
+   * @param {"both" | "first" | "second"} [which] of two meshes that are compared
    * @returns {Promise<Blob>}
    */
-  figure(format = "png", size = undefined) {
-    return this.#app.figures.file(format, this.#app.canvas, size);
+  figure(format = "png", size = undefined, which = "both") {
+    return this.#app.figures.file(format, size, which);
   }
 
   /**
@@ -252,6 +253,65 @@ export class HexaLab {
     const how = { layers: async () => layers, size: { width, height }, figures };
     const { measured, made } = await this.#app.batch.portray(name, stem, { name, offered: id }, how);
     return { measured, row: rowOf(measured), made };
+  }
+
+  /**
+   * Compare the open mesh with another, or with a reference surface (SPEC S6, S7).
+   *
+   * @param {File | Blob | string} fileOrUrl a file, an address, or "source/mesh" of the catalogue
+   * @returns {Promise<import("../state/answers.js").Compared | null>} what it is compared with; null if the page lost it again
+   */
+  async compare(fileOrUrl) {
+    const { comparing, facts } = this.#app;
+    if (fileOrUrl instanceof Blob) {
+      const file = fileOrUrl instanceof File ? fileOrUrl : new File([fileOrUrl], "mesh");
+      await comparing.openFiles([file]);
+    } else {
+      const catalogue = await this.#app.catalogue;
+      const [source, mesh] = fileOrUrl.split("/");
+      if (mesh && catalogue?.entry(source, mesh)) await comparing.openEntry(source, mesh);
+      else await comparing.openUrl(fileOrUrl);
+    }
+    await comparing.matched;
+    await this.#app.drawing.drawn();
+    await comparing.second?.drawing.drawn();
+    return facts.get("comparison");
+  }
+
+  /** Compare with what is at hand; see `offers`. @param {string} id @returns {Promise<import("../state/answers.js").Compared | null>} */
+  async compareOffered(id) {
+    await this.#app.comparing.openOffered(id);
+    await this.#app.comparing.matched;
+    return this.#app.facts.get("comparison");
+  }
+
+  /** What the open mesh is compared with, and what is known of a second one; null while there is none. */
+  comparison() {
+    const { facts } = this.#app;
+    const told = facts.get("comparison");
+    const second = facts.get("second")?.get("summary") ?? null;
+    return told && { ...told, second: second && { ...second, outline: undefined } };
+  }
+
+  /** How far the two surfaces are apart, both ways; measured when it is asked for first. @returns {Promise<import("../state/facts.js").Apart | null>} */
+  distances() {
+    return this.#app.comparing.distances.measure();
+  }
+
+  /** At how many cells a metric got worse; null where the cells are others. @param {string} metric @returns {Promise<import("../state/answers.js").Changes | null>} */
+  changes(metric) {
+    return this.#app.comparing.changes(metric);
+  }
+
+  /** Each of two meshes takes the place of the other. */
+  async swap() {
+    await this.#app.comparing.swap();
+    await this.#app.comparing.matched;
+  }
+
+  /** The second mesh, or the reference surface, goes. */
+  endComparison() {
+    this.#app.comparing.close();
   }
 
   /** What is drawn at the moment: faces, triangles, edges, cells, and how many frames so far. @returns {{ faces: number, triangles: number, edges: number, cells: number, frames: number }} */

@@ -1,32 +1,26 @@
 import { meshAddress } from "./address.js";
-import { Cells } from "./cells.js";
+import { nameOf } from "./opening.js";
+import { Comparing } from "./comparing.js";
 import { Documents } from "./documents.js";
-import { Drawing } from "./drawing.js";
-import { Measures } from "./measures.js";
-import { Messages } from "./messages.js";
 import { Figures } from "./figures.js";
-import { Fetching } from "./fetching.js";
-import { Grouped } from "./grouped.js";
 import { Files, foundOf } from "./files.js";
 import { Keeping } from "./keeping.js";
 import { LastFiles } from "./last_files.js";
 import { Leaving } from "./leaving.js";
 import { NewVersion } from "./new_version.js";
 import { Offered } from "./offered.js";
-import { Opening } from "./opening.js";
 import { rememberPreferences } from "./preferences.js";
-import { Progress } from "./progress.js";
 import { Shared } from "./shared.js";
+import { Side } from "./side.js";
 import { SinglePage } from "./single_page.js";
 import { Reports } from "./reports.js";
 import { Saving } from "./saving.js";
 import { StartWatch } from "./start_watch.js";
 import { Steps } from "./steps.js";
-import { Structured } from "./structured.js";
 import { Turntable } from "./turntable.js";
-import { Views } from "./views.js";
 import { Superseded } from "../core/client.js";
 import { Batch } from "../batch/batch.js";
+import { hasAttribute, openingSettings, ownView } from "../state/opening_view.js";
 import { counted } from "../state/numbers.js";
 
 /**
@@ -37,46 +31,21 @@ import { counted } from "../state/numbers.js";
  *     app.start();
  *     await app.openFiles([file]);
  *
- * @typedef {object} Parts
- * @property {import("../state/store.js").StatusStore} store
- * @property {import("../state/facts.js").Facts} facts
- * @property {import("../core/client.js").CoreClient} client
- * @property {import("../scene/scene_like.js").SceneLike} scene
- * @property {import("../state/tables.js").Tables} tables
- * @property {HTMLCanvasElement} canvas
- * @property {Omit<import("../hosts/host.js").Host, "client" | "addressed">} host
- *
  * @typedef {import("../state/facts.js").MeshSummary} MeshSummary
  * @typedef {import("../widgets/bind.js").Actions} Actions
  *
  * @implements {Actions}
  */
-export class App {
+export class App extends Side {
   /** The catalogue, once it is there; null if there is none. @type {Promise<import("../catalogue/catalogue.js").Catalogue | null>} */
   catalogue = Promise.resolve(null);
 
-  /** @param {Parts} parts */
-  constructor({ store, facts, client, scene, tables, canvas, host }) {
-    this.store = store;
-    this.facts = facts;
-    this.client = client;
-    this.scene = scene;
-    this.tables = tables;
-    this.canvas = canvas;
-    this.host = host;
-    this.ahead = host.ahead;
-    this.messages = new Messages(facts);
-    this.progress = new Progress(facts);
-    this.drawing = new Drawing(this);
-    this.measures = new Measures(this);
+  /** @param {import("./side.js").Parts} parts @param {(() => import("./comparing.js").Second) | null} [makeSecond] what a second mesh is shown by */
+  constructor(parts, makeSecond = null) {
+    super(parts);
+    const { host } = parts;
     this.documents = new Documents(this);
-    this.cells = new Cells(this);
-    this.grouped = new Grouped(this);
-    this.structured = new Structured(this);
     this.saving = new Saving(this);
-    this.fetching = new Fetching(this);
-    this.opening = new Opening(this);
-    this.views = new Views(this);
     this.files = new Files(this);
     this.figures = new Figures(this);
     this.leaving = new Leaving(this);
@@ -88,6 +57,7 @@ export class App {
     this.batch = new Batch(this);
     this.keeping = new Keeping(this);
     this.newVersion = new NewVersion(this);
+    this.comparing = new Comparing(this, makeSecond);
     this.offered = host.offers && new Offered(this, host.offers);
   }
 
@@ -105,12 +75,8 @@ export class App {
     const watch = new StartWatch(client, messages);
     client.ready
       .then(
-        (/** @type {import("../core/client.js").Start} */ start) => {
-          this.note({ boot: performance.now() - began, ...start });
-          facts.set({ core: "ready" });
-        },
+        () => this.note({ boot: performance.now() - began }),
         (/** @type {Error} */ error) => {
-          facts.set({ core: "failed" });
           const action = { name: "try again", press: () => location.reload() };
           messages.settle("open"); // which says the same
           messages.say("error", `The measuring engine could not be started: ${error.message}`, {
@@ -124,21 +90,7 @@ export class App {
         watch.end();
         if (this.host.keeps) void this.newVersion.start();
       });
-    client.addEventListener("died", () => {
-      this.drawing.pause();
-      facts.set({ core: "starting" });
-      messages.say("warning", "The core stopped and is being started again", { topic: "core" });
-    });
-    client.addEventListener("restarted", () => this.#restarted());
-    client.addEventListener("stopped", (event) => {
-      const { error } = /** @type {CustomEvent<{ error: Error }>} */ (event).detail;
-      this.drawing.pause();
-      facts.set({ core: "failed" });
-      messages.say("error", `The core stopped again and was left alone: ${error.message}`, {
-        topic: "core",
-        action: { name: "start it again", press: () => client.restart() },
-      });
-    });
+    this.followCore();
     scene.on("camera", (camera) => store.set({ camera }, { undo: "camera" }));
     scene.on("contextlost", () =>
       messages.say(
@@ -157,18 +109,6 @@ export class App {
     if (!addressed) void scene.prepare();
   }
 
-  async #restarted() {
-    this.facts.set({ core: "ready" });
-    try {
-      await this.opening.reopen();
-      this.messages.say("note", "The core stopped and was started again; the mesh is open as before", {
-        topic: "core",
-      });
-    } catch (error) {
-      this.messages.error(error, { topic: "core" });
-    }
-  }
-
   async #fetchCatalogue() {
     try {
       const catalogue = await this.ahead.catalogue;
@@ -180,11 +120,39 @@ export class App {
     }
   }
 
-  /** Keep times for `timings()`. @param {Record<string, number | undefined>} times milliseconds */
-  note(times) {
-    const timings = { ...this.facts.get("timings") };
-    for (const [name, value] of Object.entries(times)) if (value !== undefined) timings[name] = value;
-    this.facts.set({ timings });
+  /**
+   * The settings that a mesh opens under are its own, or what was set by hand for the one before.
+   *
+   * @param {import("./side.js").Origin} origin @param {MeshSummary} summary
+   */
+  adopt(origin, summary) {
+    const { facts, store } = this;
+    const before = facts.get("summary");
+    const { status, touched } = store;
+    const alike = before?.cells === summary.cells;
+    const changed = new Set(touched);
+    const { settings, kept } = openingSettings(
+      ownView(store.defaults, summary.view, origin.entry?.mesh.view),
+      {
+        status,
+        touched,
+        keeping: before ? facts.get("keeping") : "changed",
+        renewed: origin.renewed === true,
+        alike,
+        same: origin.renewed === true || (alike && status.mesh.name === nameOf(origin, summary)),
+        has: (quantity, components) => hasAttribute(summary, quantity, components),
+      },
+    );
+    store.set(settings, { undo: false });
+    store.forget();
+    if (origin.renewed) store.touch(changed);
+    return kept && before !== null && !origin.renewed;
+  }
+
+  /** @param {Pick<import("./side.js").Origin, "layers" | "status">} origin */
+  async dress({ layers, status }) {
+    if (layers) await this.documents.replaceBy(layers);
+    if (status) await this.documents.apply(status);
   }
 
   /**
@@ -210,14 +178,14 @@ export class App {
   /** @param {string} address @param {unknown} [status] */
   async openUrl(address, status) {
     this.steps.leave();
-    const whole = this.#meshAddress(address);
+    const whole = this.meshAddress(address);
     const summary = await this.opening.open({ ...this.fetching.from(whole), status });
     this.steps.add(whole, () => this.opening.open(this.fetching.from(whole)));
     return summary;
   }
 
-  /** @param {string} address @throws {Error} which was shown, too */
-  #meshAddress(address) {
+  /** A whole address out of what a link or a script gives. @param {string} address @throws {Error} which was shown, too */
+  meshAddress(address) {
     try {
       return meshAddress(address, document.baseURI);
     } catch (error) {
@@ -258,7 +226,7 @@ export class App {
       this.messages.error(error, { topic: "open" });
       throw error;
     }
-    const url = this.#meshAddress(entry.mesh.url);
+    const url = this.meshAddress(entry.mesh.url);
     const origin = { ...this.fetching.from(url, entry.mesh.sha256 ?? ""), entry };
     const summary = await this.opening.open({ ...origin, status });
     this.steps.add(`${source}/${mesh}`, () => this.opening.open(origin));
@@ -270,41 +238,6 @@ export class App {
     const entry = this.facts.get("entry");
     const next = entry && this.facts.get("catalogue")?.beside(entry, step);
     if (next) void this.chooseEntry(next.source.slug, next.mesh.slug);
-  }
-
-  /** @param {number | null} cell */
-  inspect(cell) {
-    return this.cells.inspect(cell);
-  }
-
-  /** @param {number} cell */
-  flyTo(cell) {
-    return this.cells.flyTo(cell);
-  }
-
-  /** @param {number} cell */
-  cutTo(cell) {
-    return this.cells.cutTo(cell);
-  }
-
-  /** @param {"cell" | "vertex"} kind @param {number} number of the file */
-  goTo(kind, number) {
-    return this.cells.goTo(kind, number);
-  }
-
-  /** @param {readonly number[]} cells rows @param {string} form @param {string} name */
-  listCells(cells, form, name) {
-    return this.cells.list(cells, form, name);
-  }
-
-  /** @param {import("../state/facts.js").PickingTool} action @param {number} cell */
-  pick(action, cell) {
-    this.cells.pick(action, cell);
-  }
-
-  /** @param {{ id: string, message: string }} finding */
-  showFinding(finding) {
-    return this.cells.showFinding(finding);
   }
 
   saveWorst() {

@@ -13,7 +13,7 @@ export class Cells {
   #app;
   #asked = 0;
 
-  /** @param {import("./app.js").App} app */
+  /** @param {import("./side.js").Side} app */
   constructor(app) {
     this.#app = app;
     for (const path of ["structure.explode", "structure.kind", "structure.form"])

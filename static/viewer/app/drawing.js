@@ -8,7 +8,7 @@ import { normalised } from "../state/vectors.js";
  * @typedef {import("../state/status.js").PartialStatus} PartialStatus
  *
  * @typedef {Partial<Update> & Pick<Update, "shown_cells" | "shown_faces">} Answer  of the core, or a preview
- * @typedef {Pick<Update, "surface" | "silhouette" | "see_through" | "irregular" | "arrows" | "marks" | "curves">} Records
+ * @typedef {Pick<Update, "surface" | "silhouette" | "see_through" | "irregular" | "arrows" | "marks" | "curves" | "reference">} Records
  */
 
 /**
@@ -16,7 +16,7 @@ import { normalised } from "../state/vectors.js";
  * records go to the scene when they come. A newer change replaces one that still waits.
  */
 export class Drawing {
-  #store;
+  #look;
   #client;
   #scene;
   #facts;
@@ -32,17 +32,16 @@ export class Drawing {
   /** @type {Partial<Records>} */
   #records = {};
 
-  /** @param {import("./app.js").Parts & { messages: import("./messages.js").Messages }} parts */
-  constructor({ store, client, scene, facts, messages, tables }) {
-    this.#store = store;
+  /** @param {Pick<import("./side.js").Side, "look" | "client" | "scene" | "facts" | "messages" | "tables">} side */
+  constructor({ look, client, scene, facts, messages, tables }) {
+    this.#look = look;
     this.#client = client;
     this.#scene = scene;
     this.#facts = facts;
     this.#messages = messages;
     this.#settings = new CoreSettings(tables.core_paths);
-    scene.setStatus(store.status);
-    store.on("*", (status, changed) => {
-      if (!changed.length) return;
+    scene.setStatus(look.status);
+    look.on("*", (status, changed) => {
       scene.setStatus(status);
       // The translucent plane moves with the answer: a picture of it alone would delay that of the slice.
       if (this.#settings.concern(changed)) void this.update();
@@ -105,7 +104,7 @@ export class Drawing {
       // What has changed is found when the call is sent: one that another replaces takes no change with it.
       const args = () =>
         /** @type {[PartialStatus, boolean, boolean]} */ ([
-          this.#settings.changed(this.#store.status),
+          this.#settings.changed(this.#look.status),
           lean,
           this.#lost,
         ]);
@@ -128,8 +127,8 @@ export class Drawing {
   #take(answer, same = false) {
     const scene = this.#scene;
     const began = performance.now();
-    const { surface, silhouette, see_through, irregular, arrows, marks, curves } = answer;
-    const came = { surface, silhouette, see_through, irregular, arrows, marks, curves };
+    const { surface, silhouette, see_through, irregular, arrows, marks, curves, reference } = answer;
+    const came = { surface, silhouette, see_through, irregular, arrows, marks, curves, reference };
     for (const [kind, record] of Object.entries(came))
       if (record) this.#records = { ...this.#records, [kind]: record };
     if (answer.surface) scene.setSurface(answer.surface, same);
@@ -139,6 +138,7 @@ export class Drawing {
     if (answer.arrows) scene.setOver("arrows", answer.arrows);
     if (answer.marks) scene.setOver("marks", answer.marks);
     if (answer.curves) scene.setOver("curves", answer.curves);
+    if (answer.reference) scene.setOver("reference", answer.reference);
     if (answer.colour !== undefined)
       scene.setCellColours(answer.colour?.map_position ?? null, answer.colour?.high_first ?? false);
     const upload = performance.now() - began;
@@ -160,7 +160,7 @@ export class Drawing {
 
   /** The translucent plane, while its slider is held. */
   #showPlane() {
-    const { items } = this.#store.status.filters.planes;
+    const { items } = this.#look.status.filters.planes;
     const index = this.#facts.get("plane");
     const plane = items[Math.min(index, items.length - 1)];
     if (!plane || !this.#facts.get("planeShown")) return this.#scene.showPlane(null);

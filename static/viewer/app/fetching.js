@@ -16,7 +16,7 @@ export class Fetching {
   #app;
   #shelf;
 
-  /** @param {import("./app.js").App} app */
+  /** @param {import("./side.js").Side} app */
   constructor(app) {
     this.#app = app;
     this.#shelf = new Shelf(new URL(app.host.root, document.baseURI));

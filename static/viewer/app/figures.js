@@ -1,3 +1,4 @@
+import { beside } from "../charts/steps.js";
 import { categoryColour, mapColours } from "../colours/palettes.js";
 import { chosenKeys } from "../state/structure.js";
 import { composed, textOf } from "../figure/compose.js";
@@ -5,6 +6,7 @@ import { FAMILY, INK } from "../figure/legend.js";
 import { keysOf } from "../figure/keys.js";
 import { layOut, wrapped } from "../figure/layout.js";
 import { cutTo, LARGEST } from "../figure/cut.js";
+import { FigureSides } from "./figure_sides.js";
 import { contentOf, cropped, dataAddress, rasterised } from "../figure/raster.js";
 import { writeStatus } from "../files/png_text.js";
 import { groupKeys, groupName, groupsOf, originName } from "../state/groups.js";
@@ -58,6 +60,12 @@ export class Figures {
     this.#app = app;
   }
 
+  /** CSS pixels that what a figure shows takes on the screen. */
+  get shown() {
+    const apart = this.#app.store.status.figure.meshes === "apart";
+    return new FigureSides(this.#app, apart ? "first" : "both").shown;
+  }
+
   /**
    * Pixels of the figure, and of a point in it.
    *
@@ -79,17 +87,23 @@ export class Figures {
     return { ...bounded(wide, high), point: (SCREEN / POINTS) * (wide / canvas.width) };
   }
 
-  /** Make the figure that the status asks for. @param {HTMLCanvasElement} canvas @param {Size | null} [wanted] @returns {Promise<Made>} */
-  async make(canvas, wanted = null) {
+  /**
+   * Make the figure that the status asks for.
+   *
+   * @param {Size | null} [wanted] in pixels, instead of what the status asks for
+   * @param {import("./figure_sides.js").Which} [which] of two meshes that are compared
+   * @returns {Promise<Made>}
+   */
+  async make(wanted = null, which = "both") {
     const { store, tables } = this.#app;
     await this.#app.drawing.drawn();
     const { status } = store;
     const { figure: asked } = status;
     const panels = panelsOf(status, tables.choices);
-    let { width, height, point } = this.size(
-      { width: canvas.clientWidth, height: canvas.clientHeight },
-      wanted,
-    );
+    const sides = new FigureSides(this.#app, which);
+    const labels = sides.labels(panels.length, panels.length > 1 && asked.panels.labels);
+    const count = panels.length * sides.perPose;
+    let { width, height, point } = this.size(sides.shown, wanted);
     const style = {
       point,
       size: asked.letters,
@@ -106,8 +120,8 @@ export class Figures {
       point,
       letters: asked.letters,
       margin: asked.margin,
-      panels: panels.length,
-      lettered: panels.length > 1 && asked.panels.labels,
+      panels: count,
+      lettered: labels.length > 0,
       legend: !scale
         ? /** @type {const} */ ("none")
         : "data" in scale
@@ -121,19 +135,20 @@ export class Figures {
     /** @type {{ whole: { width: number, height: number }, part: Box | null }} */
     let take = { whole: box, part: null };
     if (asked.crop) {
-      const content = await this.#content(panels, box);
+      const content = await this.#content(panels, box, sides);
       if (content) {
         const cut = cutTo(content, box);
         take = cut;
-        width -= panels.length * (box.width - cut.part.width);
+        width -= count * (box.width - cut.part.width);
         height -= box.height - cut.part.height;
         layout = layOut({ ...laid, width, height });
         [box] = layout.pictures;
       }
     }
-    const pictures = await this.#pictures(panels, take, asked.transparent);
+    const pictures = await this.#pictures(panels, take, asked.transparent, sides);
     const { scene, facts } = this.#app;
     const diagonal = facts.get("summary")?.diagonal ?? 1;
+    const ownPlaces = sides.perPose > 1 && !facts.get("together"); // then a length of the first is none of the second
     const half = scene.halfHeight(take.whole.width / take.whole.height);
     return {
       pictures,
@@ -143,11 +158,11 @@ export class Figures {
         background: asked.transparent ? "none" : status.background,
         layout,
         style,
-        letters: laid.lettered,
+        labels,
         scale,
         scaleBar: asked.scale_bar
           ? {
-              corner: asked.scale_bar_place,
+              corner: ownPlaces ? inFirst(asked.scale_bar_place) : asked.scale_bar_place,
               pixels: take.whole.height / (2 * half * diagonal),
               unit: unitOf(status, 1),
             }
@@ -158,9 +173,15 @@ export class Figures {
     };
   }
 
-  /** The figure as a file; a PNG carries the status. @param {FigureFormat} format @param {HTMLCanvasElement} canvas @param {Size | null} [wanted] @returns {Promise<Blob>} */
-  async file(format, canvas, wanted = null) {
-    const { figure, pictures } = await this.make(canvas, wanted);
+  /**
+   * The figure as a file; a PNG carries the status.
+   *
+   * @param {FigureFormat} format @param {Size | null} [wanted] @param {import("./figure_sides.js").Which} [which] of two meshes that
+   *   are compared
+   * @returns {Promise<Blob>}
+   */
+  async file(format, wanted = null, which = "both") {
+    const { figure, pictures } = await this.make(wanted, which);
     this.lastSize = { width: figure.width, height: figure.height };
     if (format === "png") {
       const placed = pictures.map((picture, k) => ({ picture, box: figure.layout.pictures[k] }));
@@ -176,22 +197,22 @@ export class Figures {
 
   /**
    * @param {readonly import("../state/status.js").PartialStatus[]} panels
-   * @param {{ whole: { width: number, height: number }, part: Box | null }} take @param {boolean} transparent
+   * @param {{ whole: { width: number, height: number }, part: Box | null }} take @param {boolean} transparent @param {FigureSides} sides
    */
-  async #pictures(panels, { whole, part }, transparent) {
+  async #pictures(panels, { whole, part }, transparent, sides) {
     const { figure: _, unit: __, ...seen } = this.#app.store.status;
-    const key = JSON.stringify([seen, panels, whole, part, transparent]);
+    const key = JSON.stringify([seen, panels, whole, part, transparent, sides.key]);
     if (this.#last?.key !== key) {
       const size = { width: Math.round(whole.width), height: Math.round(whole.height), transparent };
-      const taken = await this.#take(panels, size);
+      const taken = await this.#take(panels, size, sides);
       const pictures = part ? await Promise.all(taken.map((one) => cropped(one, part))) : taken;
       this.#last = { key, pictures };
     }
     return this.#last.pictures;
   }
 
-  /** @param {readonly import("../state/status.js").PartialStatus[]} panels @param {Box} box */
-  async #content(panels, { width, height }) {
+  /** @param {readonly import("../state/status.js").PartialStatus[]} panels @param {Box} box @param {FigureSides} sides */
+  async #content(panels, { width, height }, sides) {
     const scale = LOOKED_AT / Math.max(width, height);
     const size = {
       width: Math.max(1, Math.round(width * scale)),
@@ -200,12 +221,12 @@ export class Figures {
     };
     // Where something is does not depend on light, which takes its time.
     const unlit = panels.map((panel) => ({ ...panel, lighting: /** @type {const} */ ({ mode: "none" }) }));
-    return contentOf(await this.#take(unlit, size));
+    return contentOf(await this.#take(unlit, size, sides));
   }
 
-  /** A picture of each panel. @param {readonly import("../state/status.js").PartialStatus[]} panels @param {{ width: number, height: number, transparent: boolean }} size */
-  #take(panels, size) {
-    return posed(this.#app, panels, () => this.#app.scene.screenshot(size));
+  /** Pictures of each panel. @param {readonly import("../state/status.js").PartialStatus[]} panels @param {import("./figure_sides.js").Size} size @param {FigureSides} sides */
+  async #take(panels, size, sides) {
+    return (await posed(this.#app, panels, () => sides.take(size))).flat();
   }
 
   /** What the legend tells. @param {number} [bins] of its histogram @returns {Promise<Figure["scale"]>} */
@@ -228,7 +249,8 @@ export class Figures {
       return { title: figure.legend_title, colours: this.#categories(colour.by) };
     const quantity = quantityOf(this.#app);
     const asked = bins ?? (figure.legend === "bar" ? STEPS : Math.min(BARS, histogram.bins));
-    const data = await client.call("histogram", [quantity.id, asked]);
+    const own = await client.call("histogram", [quantity.id, asked]);
+    const data = { ...own, beside: await this.#beside(own, quantity.id, asked) };
     const highFirst = facts.get("colour")?.high_first ?? false;
     return {
       data,
@@ -237,6 +259,14 @@ export class Figures {
       acceptable: quantity.acceptable,
       title: figure.legend_title || titled(quantity.name, quantity.unit) || facts.get("colour")?.label || "",
     };
+  }
+
+  /** The same counts of a second mesh. @param {import("../state/answers.js").Histogram} own @param {string} quantity @param {number} bins */
+  async #beside(own, quantity, bins) {
+    const { second } = this.#app.comparing;
+    if (!second) return null;
+    const other = await second.client.call("histogram", [quantity, bins]).catch(() => null); // it lacks the attribute
+    return other && beside(own, other);
   }
 
   /** @param {"kind" | "part"} by */
@@ -278,9 +308,9 @@ export class Figures {
     const { store, facts } = this.#app;
     const own = store.status.figure.caption_text.trim();
     if (own) return own;
-    const entry = facts.get("entry");
-    if (!entry) return facts.get("summary")?.name ?? "";
-    return `${entry.mesh.name}. ${inOneLine(entry.source, true)}`;
+    const second = facts.get("second");
+    if (second) return `A: ${whereFrom(facts)} B: ${whereFrom(second)}`;
+    return whereFrom(facts);
   }
 
   /** Tips of the axes in the view's frame. @returns {[number, number, number][]} */
@@ -293,6 +323,18 @@ export class Figures {
     ];
     return [0, 1, 2].map((axis) => [right[axis], up[axis], -direction[axis]]);
   }
+}
+
+/** A mesh, and its reference if it is the catalogue's. @param {import("../state/facts.js").Facts} facts */
+function whereFrom(facts) {
+  const entry = facts.get("entry");
+  if (!entry) return facts.get("summary")?.name ?? "";
+  return `${entry.mesh.name}. ${inOneLine(entry.source, true)}`;
+}
+
+/** The same corner at the left, where the first picture is. @param {import("../figure/overlay.js").Corner} corner */
+function inFirst(corner) {
+  return corner.startsWith("top") ? "top_left" : "bottom_left";
 }
 
 /** @param {number} width @param {number} height */

@@ -6,7 +6,7 @@ export class Grouped {
   /** What is under way, by method and arguments, and the mesh that it is of. @type {Map<string, object | null>} */
   #asked = new Map();
 
-  /** @param {import("./app.js").App} app */
+  /** @param {import("./side.js").Side} app */
   constructor(app) {
     this.#app = app;
   }

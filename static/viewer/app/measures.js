@@ -11,11 +11,11 @@ import { quantityOf } from "../state/quantity.js";
 export class Measures {
   #app;
 
-  /** @param {import("./app.js").App} app */
+  /** @param {import("./side.js").Side} app */
   constructor(app) {
     this.#app = app;
-    app.store.on("colour", () => this.#measure());
-    app.store.on("histogram.bins", () => this.#measure());
+    app.look.on("colour", () => this.#measure());
+    app.look.on("histogram.bins", () => this.#measure());
   }
 
   /** Resolves when everything about the mesh that was opened last is known. @type {Promise<void>} */
@@ -50,19 +50,37 @@ export class Measures {
     return this.#measure();
   }
 
+  /** The quantity that the mesh is drawn by, as far as it has it. */
+  #looked() {
+    const { look, facts, tables } = this.#app;
+    return quantityOf({ store: look, facts, tables });
+  }
+
+  /** Statistics of a metric or an attribute, asked for where they are not known yet. @param {string} id */
+  async know(id) {
+    const { facts } = this.#app;
+    const summary = facts.get("summary");
+    const known = facts.get("statistics")[id];
+    if (known || !summary || facts.get("core") !== "ready") return known ?? null;
+    const found = await this.#app.client.call("quality", [id]).catch(() => null); // the mesh went, or has no such attribute
+    if (found && facts.get("summary") === summary)
+      facts.set({ statistics: { ...facts.get("statistics"), [id]: found } });
+    return found;
+  }
+
   /** Statistics and histogram of the metric or attribute that is looked at. */
   async #measure() {
-    const { facts, store, client } = this.#app;
+    const { facts, look, client } = this.#app;
     const summary = facts.get("summary");
     if (!summary || facts.get("core") !== "ready") return;
-    const { id } = quantityOf(this.#app);
-    const { bins } = store.status.histogram;
-    const asked = JSON.stringify([bins, store.status.colour.range]);
+    const { id } = this.#looked();
+    const { histogram: { bins }, colour } = look.status; // prettier-ignore
+    const asked = JSON.stringify([bins, colour.range, colour.reach]);
     const known = facts.get("histogram");
     if (known?.quantity === id && known.asked === asked) return;
     const statistics = facts.get("statistics")[id] ?? (await this.#ask("quality", [id]));
     const histogram = await this.#ask("histogram", [id, bins]);
-    if (!histogram || facts.get("summary") !== summary || quantityOf(this.#app).id !== id) return;
+    if (!histogram || facts.get("summary") !== summary || this.#looked().id !== id) return;
     facts.set({
       statistics: { ...facts.get("statistics"), ...(statistics ? { [id]: statistics } : {}) },
       histogram: { ...histogram, asked },
@@ -77,7 +95,7 @@ export class Measures {
     const summary = facts.get("summary");
     if (facts.get("worst")?.quantity === id) return;
     const worst = await this.#ask("worst", [id]);
-    if (worst && facts.get("summary") === summary && quantityOf(this.#app).id === id)
+    if (worst && facts.get("summary") === summary && this.#looked().id === id)
       facts.set({ worst: { ...worst, quantity: id } });
   }
 

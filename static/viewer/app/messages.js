@@ -17,13 +17,14 @@ const OF_A_MESH = [
 
 /** Messages that stay until they are read: no dialogs, no alerts. They leave when their matter is settled. */
 export class Messages {
+  static #last = 0;
   #facts;
-  #last = 0;
+  #about;
 
-  /** @param {import("../state/facts.js").Facts} facts */
-  constructor(facts) {
+  /** @param {import("../state/facts.js").Facts} facts @param {string} [about] what topics begin with, where they are another mesh's */
+  constructor(facts, about = "") {
     this.#facts = facts;
-    facts.set({ messages: [] });
+    this.#about = about;
   }
 
   /**
@@ -31,8 +32,9 @@ export class Messages {
    * @param {{ topic?: string, action?: Message["action"] }} [options] a newer message on a topic takes the older one's place
    */
   say(severity, text, { topic, action } = {}) {
-    const message = { id: ++this.#last, severity, text, action, topic };
-    const others = this.#all.filter((one) => one.text !== text && (!topic || one.topic !== topic));
+    const own = topic && this.#about + topic;
+    const message = { id: ++Messages.#last, severity, text, action, topic: own };
+    const others = this.#all.filter((one) => one.text !== text && (!own || one.topic !== own));
     this.#facts.set({ messages: [...others, message].slice(-4) });
   }
 
@@ -48,7 +50,8 @@ export class Messages {
 
   /** Take back what was said on some topics. @param {...string} topics */
   settle(...topics) {
-    const rest = this.#all.filter(({ topic }) => !topic || !topics.includes(topic));
+    const own = topics.map((topic) => this.#about + topic);
+    const rest = this.#all.filter(({ topic }) => !topic || !own.includes(topic));
     if (rest.length < this.#all.length) this.#facts.set({ messages: rest });
   }
 

@@ -43,11 +43,18 @@ export class Offered {
   }
 
   #take() {
-    const { list, status, opens } = this.#offers;
+    const { list, opens } = this.#offers;
     this.#app.facts.set({ offers: list });
     if (this.#begun || !opens || !list.length) return;
     this.#begun = true;
-    this.open(list[0].id, status ?? undefined).catch(() => {}); // said in a message by whoever failed
+    this.#begin().catch(() => {}); // said in a message by whoever failed
+  }
+
+  /** The first, and what it is compared with. */
+  async #begin() {
+    const { list, status, compare } = this.#offers;
+    await this.open(list[0].id, status ?? undefined);
+    if (compare !== null) await this.#app.comparing.openOffered(compare);
   }
 
   /** The file of the open mesh was written anew. @param {string} id */

@@ -2,7 +2,6 @@ import { Superseded } from "../core/client.js";
 import { unpack } from "../files/packing.js";
 import { NEW_MESH } from "../state/facts.js";
 import { count, counted } from "../state/numbers.js";
-import { openingSettings, ownView } from "../state/opening_view.js";
 
 /**
  * @typedef {import("../state/origin.js").Origin} Origin
@@ -15,7 +14,7 @@ import { openingSettings, ownView } from "../state/opening_view.js";
 const diagonalOf = ([low, high]) => Math.hypot(...high.map((end, axis) => end - low[axis]));
 
 /** @param {Origin} origin @param {MeshSummary} summary */
-const nameOf = (origin, summary) => (origin.offered === undefined ? origin.name : summary.name);
+export const nameOf = (origin, summary) => (origin.offered === undefined ? origin.name : summary.name);
 
 /** @param {File} file @param {string} [name] its path, where a folder was opened @returns {Origin} */
 export function fromFile(file, name = file.name) {
@@ -30,6 +29,12 @@ export async function bytesOf(file) {
     const reason = "it was changed, moved or deleted on the disk since it was chosen: choose it again";
     throw new Error(`${file.name ?? "the file"} can't be read any more: ${reason}`, { cause });
   }
+}
+
+/** An origin that gives the very bytes that were read, where they are kept. @param {Origin} origin @returns {Origin} */
+function asRead(origin) {
+  const { kept } = origin;
+  return kept ? { ...origin, bytes: () => kept.arrayBuffer() } : origin;
 }
 
 /** @param {Origin} origin @param {Report} [report] @returns {Promise<ArrayBuffer | null>} null for what the core has at hand */
@@ -52,7 +57,7 @@ export class Opening {
   /** Settles when the open mesh's SHA-256 is known, or can't be. @type {Promise<void>} */
   identified = Promise.resolve();
 
-  /** @param {import("./app.js").App} app */
+  /** @param {import("./side.js").Side} app */
   constructor(app) {
     this.#app = app;
   }
@@ -99,6 +104,7 @@ export class Opening {
       this.#app.note({ ...summary.timings, first_picture: performance.now() - began });
       task.end();
       this.#app.measures.fill();
+      this.#app.opened();
       return summary;
     } catch (error) {
       if (!(error instanceof Superseded)) messages.error(error, { topic: "open" });
@@ -109,15 +115,19 @@ export class Opening {
     }
   }
 
+  /** Where what is on the screen comes from, to be read again as it was. @returns {Origin | null} */
+  get present() {
+    return this.#current && asRead(this.#current);
+  }
+
   /** Remember what is open, and its settings: the function that is returned comes back to them. @returns {() => Promise<void>} */
   mark() {
     const origin = this.#current;
     const { status, touched } = this.#app.store;
     const changed = new Set(touched);
     return async () => {
-      if (!origin || origin === this.#current) return this.#app.documents.replaceBy([status]);
-      const again = origin.kept ? { bytes: () => /** @type {Blob} */ (origin.kept).arrayBuffer() } : {};
-      await this.open({ ...origin, ...again, status: undefined, layers: [status] });
+      if (!origin || origin === this.#current) return this.#app.dress({ layers: [status] });
+      await this.open({ ...asRead(origin), status: undefined, layers: [status] });
       this.#app.store.touch(changed);
     };
   }
@@ -130,6 +140,7 @@ export class Opening {
     drawing.begin();
     await drawing.update();
     measures.fill();
+    this.#app.opened();
   }
 
   /** Open what is on the screen as its file is now, under all its settings. @returns {Promise<Summary | null>} null where nothing is open */
@@ -171,43 +182,22 @@ export class Opening {
    * @param {Origin} origin @param {Summary} summary @param {boolean} previewed whether its preview is on the screen already
    */
   async #begin(origin, summary, previewed) {
-    const { facts, drawing, documents } = this.#app;
+    const { facts, drawing } = this.#app;
     if (!previewed) this.#enter(origin, summary);
     facts.set({ summary });
     this.#tellMesh(origin, summary);
     drawing.begin();
-    if (origin.layers) await documents.replaceBy(origin.layers);
-    if (origin.status) await documents.apply(origin.status);
+    await this.#app.dress(origin);
     await drawing.update();
     await drawing.drawn();
   }
 
   /** Clear away what belonged to the mesh before. @param {Origin} origin @param {MeshSummary} summary */
   #enter(origin, summary) {
-    const { facts, store, scene, drawing } = this.#app;
+    const { facts, scene, drawing } = this.#app;
     const entry = origin.entry ?? null;
-    const before = facts.get("summary");
-    const { status, touched } = store;
-    const alike = before?.cells === summary.cells;
-    const changed = new Set(touched);
-    const { settings, kept } = openingSettings(ownView(store.defaults, summary.view, entry?.mesh.view), {
-      status,
-      touched,
-      keeping: before ? facts.get("keeping") : "changed",
-      renewed: origin.renewed === true,
-      alike,
-      same: origin.renewed === true || (alike && status.mesh.name === nameOf(origin, summary)),
-      has: (quantity, components = 0) =>
-        Boolean(
-          summary.attributes?.some(
-            (one) => one.id === quantity && (!components || one.components === components),
-          ),
-        ),
-    });
     drawing.pause();
-    store.set(settings, { undo: false });
-    store.forget();
-    if (origin.renewed) store.touch(changed);
+    const kept = this.#app.adopt(origin, summary);
     scene.setMesh(summary);
     facts.set({
       ...NEW_MESH,
@@ -217,7 +207,7 @@ export class Opening {
       address: origin.address ?? "",
       offered: origin.offered ?? null,
     });
-    this.#tellView(summary, kept && before !== null && !origin.renewed);
+    this.#tellView(summary, kept);
   }
 
   /** Say where one looks, if it is not where one would think. @param {MeshSummary} summary @param {boolean} kept */

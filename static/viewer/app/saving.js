@@ -1,5 +1,6 @@
 import { mapColours } from "../colours/palettes.js";
 import { toCsv } from "../charts/export.js";
+import { withSecond } from "../charts/second.js";
 import { textOf } from "../figure/compose.js";
 import { keysOf } from "../figure/keys.js";
 import { printed } from "../figure/histogram.js";
@@ -124,7 +125,7 @@ export class Saving {
 
   /** The figure that the status asks for, in pixels, as a PNG. @param {{ width?: number, height?: number }} size */
   figure(size) {
-    return this.#app.figures.file("png", this.#app.canvas, size);
+    return this.#app.figures.file("png", size);
   }
 
   /** @param {ChartFormat} format */
@@ -139,12 +140,14 @@ export class Saving {
   /** The histogram as a file; a PNG carries the status. @param {ChartFormat} format @returns {Promise<Blob | null>} */
   async histogram(format) {
     const { store, facts } = this.#app;
-    const data = facts.get("histogram");
-    if (!data) return null;
+    const own = facts.get("histogram");
+    if (!own) return null;
+    const data = withSecond(own, facts);
     const quantity = quantityOf(this.#app);
     if (format === "csv") {
       const unit = plainUnitOf(store.status, quantity.lengthPower);
-      return new Blob([toCsv(data, data.quantity, unit)], { type: "text/csv" });
+      const second = data.beside && (facts.get("second")?.get("histogram")?.counts ?? null);
+      return new Blob([toCsv(data, data.quantity, unit, second)], { type: "text/csv" });
     }
     const { histogram, colour, figure } = store.status;
     const highFirst = facts.get("colour")?.high_first ?? false;

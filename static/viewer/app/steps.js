@@ -12,6 +12,9 @@ export class Steps {
   /** Whether a step is being gone back to, which is none of its own. */
   #going = false;
 
+  /** What the address says of the mesh and of the one beside it. @type {{ mesh: string | null, beside: string | null }} */
+  #named = { mesh: null, beside: null };
+
   /** @param {import("./app.js").App} app */
   constructor(app) {
     this.#app = app;
@@ -42,14 +45,46 @@ export class Steps {
     const address = new URL(location.href);
     const present = new URLSearchParams(address.search).get("mesh");
     const first = this.#at < 0;
+    this.#named = { ...this.#named, mesh };
     if (present !== mesh || !first) {
-      address.search = mesh === null ? "" : `?mesh=${mesh.includes(":") ? encodeURIComponent(mesh) : mesh}`;
+      address.search = this.#search();
       address.hash = "";
     }
     this.#steps.splice(++this.#at, Infinity, { again, status: null });
     const state = { step: this.#at };
     if (first) history.replaceState(state, "", address);
     else history.pushState(state, "", address);
+  }
+
+  /** A mesh was opened beside the first, or went. @param {string | null} mesh null for a file of this machine, or none */
+  beside(mesh) {
+    if (this.#named.beside === mesh) return;
+    this.#named = { ...this.#named, beside: mesh };
+    this.#rename();
+  }
+
+  /** Each of both meshes takes the place of the other. */
+  swap() {
+    const { mesh, beside } = this.#named;
+    this.#named = { mesh: beside, beside: mesh };
+    this.#rename();
+  }
+
+  #rename() {
+    if (!this.#app.host.steps) return;
+    const address = new URL(location.href);
+    address.search = this.#search();
+    history.replaceState(history.state, "", address);
+  }
+
+  /** The part of the address that names what is open. A comparison with a file of this machine can't be shared. */
+  #search() {
+    const { mesh, beside } = this.#named;
+    const named = { mesh, with: mesh && beside };
+    const parts = Object.entries(named).flatMap(([name, value]) =>
+      value ? [`${name}=${value.includes(":") ? encodeURIComponent(value) : value}`] : [],
+    );
+    return parts.length ? `?${parts.join("&")}` : "";
   }
 
   /** @param {number} at */

@@ -18,7 +18,7 @@ export class Structured {
   /** @type {object | null} */
   #of = null;
 
-  /** @param {import("./app.js").App} app */
+  /** @param {import("./side.js").Side} app */
   constructor(app) {
     this.#app = app;
   }

@@ -11,7 +11,7 @@ export const FLIGHT = "flight";
 export class Views {
   #app;
 
-  /** @param {import("./app.js").App} app */
+  /** @param {import("./side.js").Side} app */
   constructor(app) {
     this.#app = app;
     app.scene.on("blank", () => this.fitShown());

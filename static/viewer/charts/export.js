@@ -6,9 +6,20 @@ import { titled } from "../state/units.js";
  * @typedef {import("./histogram_layout.js").HistogramData} HistogramData
  */
 
-/** One row per bin: lower edge, upper edge, count; the head names what was measured. @param {HistogramData} data @param {string} quantity @param {string} [unit] of its values @returns {string} */
-export function toCsv(data, quantity, unit = "") {
-  const rows = Array.from(data.counts, (count, bin) => `${data.edges[bin]},${data.edges[bin + 1]},${count}`);
+/**
+ * One row per bin: lower edge, upper edge, count; the head names what was measured.
+ *
+ * @param {HistogramData} data @param {string} quantity @param {string} [unit] of its values
+ * @param {ArrayLike<number> | null} [second] counts of a second mesh in the same bins
+ * @returns {string}
+ */
+export function toCsv(data, quantity, unit = "", second = null) {
+  const more = (/** @type {number} */ bin) => (second ? `,${second[bin]}` : "");
+  const rows = Array.from(
+    data.counts,
+    (count, bin) => `${data.edges[bin]},${data.edges[bin + 1]},${count}${more(bin)}`,
+  );
   const name = quantity.replaceAll(/[",]/g, " ");
-  return [`${titled(`${name} low`, unit)},${titled(`${name} high`, unit)},cells`, ...rows, ""].join("\r\n");
+  const head = `${titled(`${name} low`, unit)},${titled(`${name} high`, unit)},cells`;
+  return [second ? `${head} of A,cells of B` : head, ...rows, ""].join("\r\n");
 }

@@ -1,4 +1,5 @@
 import { between, clamp, shareOf } from "../state/numbers.js";
+import { corners } from "./steps.js";
 import { niceTicks } from "./ticks.js";
 
 /**
@@ -10,6 +11,7 @@ import { niceTicks } from "./ticks.js";
  * @property {ArrayLike<number>} map_position of each bin on the colour map
  * @property {number} low
  * @property {number} high
+ * @property {{ edges: ArrayLike<number>, counts: number[] } | null} [beside] those of a second mesh
  *
  * @typedef {{ width: number, height: number, orientation: "horizontal" | "vertical", scale: "linear" | "log", unit?: string }} Frame  unit:
  *   of the values, if they have one that is named
@@ -24,6 +26,7 @@ import { niceTicks } from "./ticks.js";
  * @property {number} highest the largest count
  * @property {{ box: Box, bin: number }[]} bars
  * @property {{ value: number, at: number }[]} ticks
+ * @property {[value: number, share: number][]} steps corners of a second mesh's counts; none without one
  */
 
 /** In pixels; at the top the largest count stands, and the acceptable range below it. */
@@ -47,7 +50,7 @@ export function layOut(data, { width, height, orientation, scale, unit = "" }) {
   const low = Number(data.edges[0]);
   const high = Number(data.edges[data.edges.length - 1]);
   const counts = Array.from(data.counts, Number);
-  const highest = Math.max(0, ...counts);
+  const highest = Math.max(0, ...counts, ...(data.beside?.counts ?? []));
   const share =
     scale === "log"
       ? (/** @type {number} */ n) => Math.log1p(n) / Math.log1p(highest)
@@ -65,7 +68,8 @@ export function layOut(data, { width, height, orientation, scale, unit = "" }) {
     ];
   });
   const ticks = niceTicks(low, high, upright ? 5 : 7).map((value) => ({ value, at: along(layout, value) }));
-  return { ...layout, bars, ticks };
+  const steps = data.beside && highest ? corners(data.beside, layout, share) : [];
+  return { ...layout, bars, ticks, steps };
 }
 
 /** Length of the count axis in pixels. @param {{ plot: Box, upright: boolean }} layout */

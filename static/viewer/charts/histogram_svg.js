@@ -10,6 +10,7 @@ import { tickText } from "./ticks.js";
  * @typedef {object} Look
  * @property {(position: number) => string} colour of the map
  * @property {string} ink
+ * @property {string} paper
  * @property {string} quiet
  * @property {string} line
  * @property {string} rim around each bar, so that dark ones show on a dark page; "none" on a light one
@@ -25,6 +26,7 @@ export function marks(layout, data, look) {
   return [
     ...axis(layout, look),
     ...bars(layout, data, look),
+    ...steps(layout, look),
     ...bracket(layout, look),
     ...countLabel(layout, look),
     ...unitLabel(layout, look),
@@ -53,6 +55,17 @@ function bars({ bars, upright, unit }, data, { colour, rim }) {
       title,
     );
   });
+}
+
+/** A second mesh's counts, as a line with a light rim, so that it is seen on bars of any colour. @param {Layout} layout @param {Look} look */
+function steps(layout, { ink, paper }) {
+  if (!layout.steps.length) return [];
+  const d = outline(layout);
+  const look = { d, fill: "none", "stroke-linejoin": "round" };
+  return [
+    s("path", { ...look, stroke: paper, "stroke-width": 3.5 }),
+    s("path", { ...look, stroke: ink, "stroke-width": 1.5, class: "steps" }),
+  ];
 }
 
 /** @param {import("./histogram_layout.js").Box} box */
@@ -114,4 +127,14 @@ function unitLabel({ plot, upright, unit }, { quiet }) {
     ? { x: plot.x + plot.width / 2, y: plot.y + plot.height + 29, "text-anchor": "middle" }
     : { x: plot.x - 6, y: 10, "text-anchor": "end" };
   return [s("text", { ...place, fill: quiet, "font-size": 11, class: "unit" }, unit)];
+}
+
+/** @param {Layout} layout @returns {string} an SVG path; empty where there is no second mesh */
+function outline(layout) {
+  const { steps, plot, upright } = layout;
+  const points = steps.map(([value, share]) => {
+    const at = along(layout, value);
+    return upright ? [at, plot.y + plot.height * (1 - share)] : [plot.x + plot.width * share, at];
+  });
+  return points.map(([x, y], k) => `${k ? "L" : "M"}${x.toFixed(2)} ${y.toFixed(2)}`).join("");
 }

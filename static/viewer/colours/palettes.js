@@ -3,7 +3,8 @@ import { CHOSEN, CROSSING, REST } from "./structure.js";
 
 /**
  * Colour maps as rows of [position, colour]; the first colour is that of the best cell. Between knots the colour runs
- * straight. Parula and viridis are sampled from their published definitions, jet and red-blue are defined by knots.
+ * straight. Parula and viridis are sampled from their published definitions, jet and red-blue are defined by knots. Diverging
+ * is for changes: its middle is no change.
  *
  * @type {Record<string, [number, string][]>}
  */
@@ -41,6 +42,13 @@ const KNOTS = {
     [0, "#0000ff"],
     [0.5, "#ffffff"],
     [1, "#ff0000"],
+  ],
+  diverging: [
+    [0, "#1f5fa8"],
+    [0.25, "#84b3dc"],
+    [0.5, "#f4f2ee"],
+    [0.75, "#ee9a7b"],
+    [1, "#b01f2e"],
   ],
   viridis: [
     "#440154", "#481a6c", "#472f7d", "#414487", "#39568c", "#31688e", "#2a788e", "#23888e",

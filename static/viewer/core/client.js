@@ -33,6 +33,7 @@ import { question } from "./question.js";
  * @property {(listener: Listener) => void} start starts a core
  * @property {(question: import("./question.js").Question) => void} send one question; the next comes after its answer
  * @property {() => void} stop ends the core, which then tells nothing more
+ * @property {() => void} [end] it is not started again: what the way itself holds is let go
  */
 
 /** So often the core may die in a row before it is left alone. */
@@ -184,6 +185,7 @@ export class CoreClient extends EventTarget {
 
   dispose() {
     this.#transport.stop();
+    this.#transport.end?.();
     this.#fail(new CoreError({ kind: "WorkerError", message: "The core was closed." }));
   }
 

@@ -7,11 +7,13 @@ import { framed } from "./frame.js";
  * @typedef {import("./client.js").Listener} Listener
  *
  * @typedef {Record<string, unknown> & { kind: string }} Message
- * @typedef {{ version: string, offers: readonly { id: string, name: string }[], status: object | null, opens: boolean }} Hello
+ * @typedef {{ version: string, offers: readonly { id: string, name: string }[], status: object | null, opens: boolean, compare?: string | null }} Hello
  *
  * @typedef {object} Port  the widget's end, which stands in the notebook's page
  * @property {(message: Message, bytes?: ArrayBuffer) => void} send to the kernel, in pieces
  * @property {(kind: string, hear: (message: any, block: ArrayBuffer | null) => void) => void} on what the kernel sends
+ * @property {() => Port} another way to the same kernel, for another mesh
+ * @property {() => void} close
  * @property {(name: string) => any} get a value that widget and kernel share
  * @property {(name: string, value: unknown) => void} set a value that widget and kernel share
  * @property {(name: string, changed: (value: any) => void) => void} follow such a value
@@ -73,6 +75,11 @@ export class KernelTransport {
   stop() {
     clearTimeout(this.#waiting);
     this.#listener = null;
+  }
+
+  /** It is not started again: the kernel lets its session go. */
+  end() {
+    this.#port.close();
   }
 
   /** A kernel that is busy answers late, one that is gone never, and neither says so. */

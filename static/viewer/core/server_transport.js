@@ -6,8 +6,9 @@ import { framed } from "./frame.js";
  * @typedef {import("./client.js").Transport} Transport
  * @typedef {import("./client.js").Listener} Listener
  *
- * @typedef {{ id: string, name: string }} Offer  a mesh that the core can open without its bytes being sent
- * @typedef {{ version: string, token: string, offers: readonly Offer[], status: object | null, watched: boolean, opens: boolean }} Hello
+ * @typedef {{ id: string, name: string, surface?: boolean }} Offer  a mesh that the core can open without its bytes being sent, or a surface
+ * @typedef {{ version: string, token: string, offers: readonly Offer[], status: object | null, watched: boolean, opens: boolean,
+ *   compare: string | null }} Hello
  * @typedef {{ changed?: string, gone?: string, stopped?: boolean, identified?: { question: number, sha256: string } }} News
  *   what the core tells without having been asked
  */

@@ -34,6 +34,16 @@
  * @property {{ args: [table: string, variant?: string], answer: string }} structure_csv
  * @property {{ args: [], answer: SheetPairs }} sheet_pairs
  * @property {{ args: [kind: string, numbers: readonly number[], variant?: string], answer: Around | null }} structure_box
+ * @property {{ args: [], answer: string }} fingerprint
+ * @property {{ args: [to?: string], answer: HandedOver }} hand_over
+ * @property {{ args: [told: Told, points: ArrayBuffer, triangles: ArrayBuffer, coordinates?: ArrayBuffer | null, second?: boolean], answer: Compared }} compare_with
+ * @property {{ args: [name: string, second?: boolean], answer: Compared }} compare_with_offered
+ * @property {{ args: [name: string, data: ArrayBuffer, companions?: Record<string, ArrayBuffer>], answer: Compared }} compare_with_surface
+ * @property {{ args: [], answer: null }} stop_comparing
+ * @property {{ args: [back?: boolean], answer: Measured }} measure_distance
+ * @property {{ args: [back?: boolean, diagonal?: number | null], answer: Distances }} distance_facts
+ * @property {{ args: [], answer: string }} distance_csv
+ * @property {{ args: [metric: string], answer: Changes }} metric_changes
  *
  * @typedef {import("../state/answers.js").Summary} Summary
  * @typedef {import("../state/answers.js").Description} Description
@@ -59,6 +69,12 @@
  * @typedef {import("../state/answers.js").StructureFacts} StructureFacts
  * @typedef {import("../state/answers.js").StructureTable} StructureTable
  * @typedef {import("../state/answers.js").SheetPairs} SheetPairs
+ * @typedef {import("../state/answers.js").HandedOver} HandedOver
+ * @typedef {Pick<HandedOver, "name" | "vertices" | "cells" | "volume">} Told  of the other mesh
+ * @typedef {import("../state/answers.js").Compared} Compared
+ * @typedef {import("../state/answers.js").Distances} Distances
+ * @typedef {import("../state/answers.js").Changes} Changes
+ * @typedef {import("../state/answers.js").Measured} Measured
  * @typedef {import("../state/answers.js").Around} Around
  * @typedef {import("../state/status.js").PartialStatus} PartialStatus
  */

@@ -1,4 +1,5 @@
 import { saveFile } from "../app/saving.js";
+import { safeStem } from "../files/names.js";
 import { optionsOf } from "../state/choices.js";
 import { PANELS } from "../state/panels.js";
 import { parsed, typed } from "../state/numbers.js";
@@ -22,15 +23,12 @@ const REST = 250;
 /** @param {Context} context */
 const figureOf = ({ store }) => store.status.figure;
 
-/** One side; while none is typed, the box shows what it follows from the screen to be. @param {"width" | "height"} side @param {HTMLCanvasElement} canvas @returns {import("../widgets/bind.js").NumberField} */
-const sideField = (side, canvas) => ({
+/** One side; while none is typed, the box shows what it follows from the screen to be. @param {"width" | "height"} side @returns {import("../widgets/bind.js").NumberField} */
+const sideField = (side) => ({
   name: side,
   optional: true,
   placeholder: (context) => {
-    const { [side]: pixels } = context.app.figures.size({
-      width: canvas.clientWidth,
-      height: canvas.clientHeight,
-    });
+    const { [side]: pixels } = context.app.figures.size(context.app.figures.shown);
     const { unit, resolution } = figureOf(context);
     return typed(unit === "mm" ? (pixels / resolution) * 25.4 : pixels, 1);
   },
@@ -65,8 +63,11 @@ const place = (part) => ({
   hidden: (context) => ["none", false].includes(figureOf(context)[part]),
 });
 
-/** Sizes in millimetres are those of a column and of a page of most journals. @param {HTMLCanvasElement} canvas @returns {readonly Control[]} */
-const controlsOf = (canvas) => [
+/** @param {Context} context */
+const alone = ({ facts }) => facts.get("second") === null;
+
+/** Sizes in millimetres are those of a column and of a page of most journals. @type {readonly Control[]} */
+const CONTROLS = [
   buttons({
     label: "Size",
     full: true,
@@ -75,12 +76,12 @@ const controlsOf = (canvas) => [
       {
         name: "Twice as large as on the screen",
         text: "2×",
-        press: ({ store }) => store.set({ figure: times(canvas, 2) }),
+        press: ({ store, app }) => store.set({ figure: times(app.figures.shown, 2) }),
       },
       {
         name: "Four times as large as on the screen",
         text: "4×",
-        press: ({ store }) => store.set({ figure: times(canvas, 4) }),
+        press: ({ store, app }) => store.set({ figure: times(app.figures.shown, 4) }),
       },
       sizeButton("Column", "A column of a journal, 85 mm", { unit: "mm", width: 85, height: null }),
       sizeButton("Page", "The width of a page, 175 mm", { unit: "mm", width: 175, height: null }),
@@ -99,7 +100,7 @@ const controlsOf = (canvas) => [
     label: "Width, height",
     status: ["figure"],
     digits: 1,
-    items: [sideField("width", canvas), sideField("height", canvas)],
+    items: [sideField("width"), sideField("height")],
   },
   wholeNumber({
     id: "figure-resolution",
@@ -165,6 +166,25 @@ const controlsOf = (canvas) => [
   },
   {
     kind: "choice",
+    id: "figure-meshes",
+    label: "Meshes",
+    hint: "Both in one picture, or a file for each under the same settings",
+    path: "figure.meshes",
+    facts: ["second"],
+    options: optionsOf("figure.meshes"),
+    hidden: alone,
+  },
+  {
+    kind: "toggle",
+    id: "figure-mesh-names",
+    label: "Names",
+    hint: "The meshes' names below their pictures",
+    path: "compare.labels",
+    facts: ["second"],
+    hidden: alone,
+  },
+  {
+    kind: "choice",
     id: "figure-panels",
     label: "Panels",
     hint: "Several pictures that differ by one setting",
@@ -201,10 +221,10 @@ const controlsOf = (canvas) => [
   },
 ];
 
-/** @param {HTMLCanvasElement} canvas @param {number} factor */
-function times({ clientWidth, clientHeight }, factor) {
+/** @param {import("../widgets/bind.js").Size} shown @param {number} factor */
+function times({ width, height }, factor) {
   const unit = /** @type {const} */ ("px");
-  return { unit, width: Math.round(clientWidth * factor), height: Math.round(clientHeight * factor) };
+  return { unit, width: Math.round(width * factor), height: Math.round(height * factor) };
 }
 
 /** @param {string} text @returns {number[] | null} */
@@ -221,9 +241,9 @@ function numbersIn(text) {
  * Save a picture, or a figure with legend, scale bar, axes, caption, and several pictures in a row (SPEC S5). What will be
  * saved is shown.
  *
- * @param {Context} context @param {HTMLCanvasElement} canvas
+ * @param {Context} context
  */
-export function imageDialog(context, canvas) {
+export function imageDialog(context) {
   const { app } = context;
   const preview = h("img", { class: "figure-preview", alt: "The figure as it will be saved", hidden: true });
   const size = h("p", { class: "quiet figure-size", role: "status" });
@@ -258,11 +278,7 @@ export function imageDialog(context, canvas) {
         "div",
         { class: "figure" },
         h("div", { class: "figure-stage" }, preview, size),
-        h(
-          "div",
-          { class: "figure-controls" },
-          ...controlsOf(canvas).map((one) => renderControl(context, one)),
-        ),
+        h("div", { class: "figure-controls" }, ...CONTROLS.map((one) => renderControl(context, one))),
       ),
       h(
         "p",
@@ -282,13 +298,26 @@ export function imageDialog(context, canvas) {
   async function save(format) {
     for (const button of saves) button.disabled = true;
     try {
-      saveFile(await app.figures.file(format, canvas), `${app.saving.stem}.${format}`);
+      for (const { which, stem } of files())
+        saveFile(await app.figures.file(format, null, which), `${stem}.${format}`);
       element.close();
     } catch (error) {
       say(error);
     } finally {
       for (const button of saves) button.disabled = false;
     }
+  }
+
+  /** The files that are saved, of which one is shown: two meshes may go into one, or each into its own. */
+  function files() {
+    const second = context.facts.get("second");
+    const { stem } = app.saving;
+    const apart = second && figureOf(context).meshes === "apart";
+    if (!apart) return [{ which: /** @type {const} */ ("both"), stem: second ? `${stem}-compared` : stem }];
+    return [
+      { which: /** @type {const} */ ("first"), stem: `${stem}-A` },
+      { which: /** @type {const} */ ("second"), stem: `${safeStem(second.get("summary")?.name ?? "")}-B` },
+    ];
   }
 
   /** One preview at a time, the newest settings last. */
@@ -301,7 +330,7 @@ export function imageDialog(context, canvas) {
     if (!element.isConnected) return;
     try {
       size.textContent = "drawing…";
-      const blob = await app.figures.file("png", canvas);
+      const blob = await app.figures.file("png", null, files()[0].which);
       const { width, height } = app.figures.lastSize;
       const address = URL.createObjectURL(blob);
       preview.onload = () => URL.revokeObjectURL(address);
@@ -318,7 +347,7 @@ export function imageDialog(context, canvas) {
     setText(size, error instanceof Error ? error.message : String(error));
   }
 
-  watch(context, { status: ["figure"] }, () => {
+  watch(context, { status: ["figure", "compare"] }, () => {
     clearTimeout(resting);
     if (element.open) resting = setTimeout(() => void show(), REST);
   });

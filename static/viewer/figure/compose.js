@@ -1,7 +1,7 @@
 import { s } from "../widgets/dom.js";
 import { keyRows, legend, words } from "./legend.js";
 import { lineAt } from "./layout.js";
-import { axes, panelLetter, scaleBar } from "./overlay.js";
+import { axes, label, scaleBar } from "./overlay.js";
 
 /**
  * A figure as SVG: pictures inside, words as text.
@@ -16,9 +16,9 @@ import { axes, panelLetter, scaleBar } from "./overlay.js";
  * @property {string} background "none" where it is transparent
  * @property {Layout} layout
  * @property {Style} style
- * @property {boolean} letters whether panels have their letters
+ * @property {readonly (readonly string[])[]} labels below each picture; none where nothing stands there
  * @property {Scale | { colours: { colour: string, name: string }[], title: string } | null} scale what the legend tells
- * @property {import("./overlay.js").ScaleBar & { corner: import("./overlay.js").Corner } | null} scaleBar
+ * @property {import("./overlay.js").ScaleBar & { corner: import("./overlay.js").Corner } | null} scaleBar in the first picture, or the last
  * @property {{ corner: import("./overlay.js").Corner, tips: [number, number, number][] } | null} axes
  * @property {string[]} caption its lines
  */
@@ -44,12 +44,12 @@ export function composed(figure, pictures = []) {
 }
 
 /** @param {Figure} figure @returns {SVGElement[]} */
-function over({ layout, style, letters, scale, scaleBar: bar, axes: directions, caption }) {
+function over({ layout, style, labels, scale, scaleBar: bar, axes: directions, caption }) {
   const [first] = layout.pictures;
   const last = layout.pictures[layout.pictures.length - 1];
   const letter = style.size * style.point;
   return [
-    ...(letters ? layout.pictures.flatMap((box, k) => panelLetter(box, k, style)) : []),
+    ...labels.flatMap((texts, k) => label(layout.pictures[k], texts, style)),
     ...(bar ? scaleBar(bar.corner.endsWith("left") ? first : last, bar.corner, bar, style) : []),
     ...(directions
       ? axes(directions.corner.endsWith("left") ? first : last, directions.corner, directions.tips, style)

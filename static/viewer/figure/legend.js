@@ -1,4 +1,5 @@
 import { tickText } from "../charts/ticks.js";
+import { corners } from "../charts/steps.js";
 import { s } from "../widgets/dom.js";
 import { wrapped } from "./layout.js";
 import { readableTicks } from "./ticks.js";
@@ -119,7 +120,7 @@ export function keyRows(keys, box, style) {
 }
 
 /** A text that is no wider than a width; an ellipsis says that there was more. @param {string} text @param {number} width @param {number} letter */
-function shortened(text, width, letter) {
+export function shortened(text, width, letter) {
   const most = Math.max(1, Math.floor(width / widthOf("n", letter)));
   return text.length <= most ? text : `${text.slice(0, most - 1).trimEnd()}…`;
 }
@@ -207,7 +208,7 @@ function bracket({ acceptable }, [low, high], direction, style) {
 /** Bars of counts on the bar's other side, and their axis. @param {Scale} scale @param {Direction} direction @param {Style} style @param {number} spread pixels that the largest count takes */
 function counts({ data, colour }, direction, style, spread) {
   const all = Array.from(data.counts, Number);
-  const highest = Math.max(1, ...all);
+  const highest = Math.max(1, ...all, ...(data.beside?.counts ?? []));
   const log = style.counting === "log";
   const share = (/** @type {number} */ n) => (log ? Math.log1p(n) / Math.log1p(highest) : n / highest);
   const base = (BAR + 1.5) * style.point;
@@ -252,7 +253,25 @@ function counts({ data, colour }, direction, style, spread) {
   const name = direction.upright
     ? words("cells", x, y + 1.8 * letter, { style, anchor: "middle" })
     : words("cells", x - widest - 0.4 * letter, y, { style, anchor: "middle", turned: true });
-  return [...bars, axis, ...labels, name];
+  return [...bars, ...stepsOver(data, direction, style, { base, room, share }), axis, ...labels, name];
+}
+
+/**
+ * The counts of a second mesh, as a line.
+ *
+ * @param {HistogramData} data @param {Direction} direction @param {Style} style
+ * @param {{ base: number, room: number, share: (count: number) => number }} scale
+ */
+function stepsOver({ beside, edges }, direction, { ink, point }, { base, room, share }) {
+  if (!beside) return [];
+  const [low, high] = [Number(edges[0]), Number(edges[edges.length - 1])];
+  const places = corners(beside, { low, high }, share).map(([value, height]) =>
+    direction.at(((value - low) / (high - low || 1)) * direction.length, base + height * room),
+  );
+  const d = places.map(([x, y], k) => `${k ? "L" : "M"}${round(x)} ${round(y)}`).join("");
+  const path = (/** @type {string} */ stroke, /** @type {number} */ width) =>
+    s("path", { d, fill: "none", stroke, "stroke-width": round(width * point), "stroke-linejoin": "round" });
+  return [path("#ffffff", 2), path(ink, 0.8)];
 }
 
 /** Powers of ten or a hundred below a number, few of them. @param {number} highest */

@@ -1,6 +1,6 @@
 import { tickText } from "../charts/ticks.js";
 import { withUnit } from "../state/units.js";
-import { line, words } from "./legend.js";
+import { line, shortened, words } from "./legend.js";
 
 /**
  * What stands over a picture of a figure: scale bar, axes, the panel's letter.
@@ -90,9 +90,20 @@ function thick(element, { point }) {
   return element;
 }
 
-/** "a)", below its picture. @param {Box} box @param {number} panel @param {Style} style @returns {SVGElement[]} */
-export function panelLetter(box, panel, style) {
+/**
+ * What stands below a picture, such as "a)": in its middle, or two words at its sides.
+ *
+ * @param {Box} box @param {readonly string[]} texts one or two @param {Style} style @returns {SVGElement[]}
+ */
+export function label(box, texts, style) {
   const letter = style.size * style.point;
-  const place = /** @type {const} */ ([box.x + box.width / 2, box.y + box.height + 1.1 * letter]);
-  return [words(`${"abcdef"[panel]})`, ...place, { style, anchor: "middle" })];
+  const y = box.y + box.height + 1.1 * letter;
+  const fitting = (/** @type {string} */ text) => shortened(text, box.width / texts.length, letter);
+  const [first, second] = texts;
+  if (second === undefined)
+    return [words(fitting(first), box.x + box.width / 2, y, { style, anchor: "middle" })];
+  return [
+    words(fitting(first), box.x, y, { style, anchor: "start" }),
+    words(fitting(second), box.x + box.width, y, { style, anchor: "end" }),
+  ];
 }

@@ -40,7 +40,12 @@ export function frame() {
     steps: false,
     embedded: false,
     addressed: "",
+    beside: "",
     client: new CoreClient(transport),
+    another: () =>
+      new CoreClient(
+        new KernelTransport(port.another(), { hello: () => {}, slow: (slow) => offers.tellSlow(slow) }),
+      ),
     ahead: nothingAhead(),
     sheet: () => askedSheet(port),
     offers,

@@ -4,7 +4,7 @@
  * Events: "offered" when the list has come or changed; "changed" and "gone" ({id}) when a file was written anew or is there no
  * more; "slow" ({slow}) when an answer has been missing for long, and when it came; "stopped" when the core's program has ended.
  *
- * @typedef {{ id: string, name: string }} Offer
+ * @typedef {{ id: string, name: string, surface?: boolean }} Offer  surface: whether it is a reference surface, and no mesh
  */
 export class Offers extends EventTarget {
   /** @type {readonly Offer[]} */
@@ -14,9 +14,13 @@ export class Offers extends EventTarget {
   /** Whether the first one is opened without being asked for. */
   opens = true;
 
-  /** @param {{ offers: readonly Offer[], status: object | null, opens: boolean }} given */
-  take({ offers, status, opens }) {
+  /** The one that the first is compared with. @type {string | null} */
+  compare = null;
+
+  /** @param {{ offers: readonly Offer[], status: object | null, opens: boolean, compare?: string | null }} given */
+  take({ offers, status, opens, compare = null }) {
     this.list = offers;
+    this.compare = compare;
     this.status = status;
     this.opens = opens;
     this.dispatchEvent(new Event("offered"));

@@ -9,9 +9,12 @@ const TOKEN = "hexalab.token";
 /** `hexalab view`: files of this machine, and the native core. @returns {import("./host.js").Host} */
 export function server() {
   const offers = new Offers();
-  const transport = new ServerTransport(new URL(".", document.baseURI).href, tokenOf(location), {
+  const address = new URL(".", document.baseURI).href;
+  let token = tokenOf(location);
+  const transport = new ServerTransport(address, token, {
     hello: (hello) => {
-      sessionStorage.setItem(TOKEN, hello.token);
+      token = hello.token;
+      sessionStorage.setItem(TOKEN, token);
       offers.take(hello);
     },
     news: ({ changed, gone, stopped }) => {
@@ -27,7 +30,9 @@ export function server() {
     steps: true,
     embedded: false,
     addressed: "",
+    beside: "",
     client: new CoreClient(transport),
+    another: () => new CoreClient(new ServerTransport(address, token, { hello: () => {}, news: () => {} })),
     ahead: nothingAhead(),
     sheet: fetchedSheet,
     offers,

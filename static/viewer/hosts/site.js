@@ -19,12 +19,13 @@ export function site() {
   document.documentElement.toggleAttribute("data-embedded", embedded);
   const ahead = new Ahead(new URL(root, document.baseURI).href, addressed);
   const inTurn = addressed !== "" && navigator.hardwareConcurrency <= FEW_CORES;
-  const transport = new WorkerTransport({
-    worker: new URL(worker, document.baseURI),
-    runtime: new URL(runtime, document.baseURI),
-    turn: inTurn ? soon(ahead.shown, PATIENCE) : null,
-  });
-  const client = new CoreClient(transport);
+  const transport = (/** @type {Promise<unknown> | null} */ turn) =>
+    new WorkerTransport({
+      worker: new URL(worker, document.baseURI),
+      runtime: new URL(runtime, document.baseURI),
+      turn,
+    });
+  const client = new CoreClient(transport(inTurn ? soon(ahead.shown, PATIENCE) : null));
   return {
     root,
     keeps: !embedded, // what was looked at before is no matter of the page around
@@ -32,7 +33,9 @@ export function site() {
     steps: !embedded,
     embedded,
     addressed,
+    beside: asked.get("with") ?? "",
     client,
+    another: () => new CoreClient(transport(null)),
     ahead,
     sheet: fetchedSheet,
     offers: null,

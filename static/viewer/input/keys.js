@@ -93,6 +93,22 @@ export const KEYS = [
   },
   { group: "Mesh", keys: ["PageUp"], what: "Mesh before, in its source", press: (app) => app.openBeside(-1) },
   { group: "Mesh", keys: ["PageDown"], what: "Mesh after, in its source", press: (app) => app.openBeside(1) },
+  {
+    group: "Mesh",
+    keys: ["x"],
+    what: "Compare: side by side, curtain",
+    press: ({ store, tables, facts }) =>
+      facts.get("second") &&
+      void store.set({
+        compare: { layout: next(tables.choices["compare.layout"], store.status.compare.layout) },
+      }),
+  },
+  {
+    group: "Mesh",
+    keys: ["w"],
+    what: "Compare: each mesh takes the other's place",
+    press: ({ comparing }) => void comparing.swap(),
+  },
   { group: "Mesh", keys: ["m"], what: "Mesh section: fold, unfold", press: () => unfold("mesh") },
   {
     group: "Filters",

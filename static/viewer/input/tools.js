@@ -18,16 +18,19 @@ export class Tools {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #telling;
 
-  /** @param {import("../app/app.js").App} app @param {HTMLCanvasElement} canvas */
-  constructor(app, canvas) {
+  /**
+   * @param {import("../app/side.js").Side} app @param {HTMLCanvasElement} canvas
+   * @param {AbortSignal} [signal] that ends it
+   */
+  constructor(app, canvas, signal) {
     this.#app = app;
     this.#canvas = canvas;
     app.scene.on("click", (at) => this.#click(at));
     app.scene.on("hover", (at) => this.#hover(at));
     app.facts.on("tool", () => this.#show());
-    window.addEventListener("keydown", (event) => this.#hold(event));
-    window.addEventListener("keyup", (event) => this.#hold(event));
-    window.addEventListener("blur", () => this.#setHeld(""));
+    window.addEventListener("keydown", (event) => this.#hold(event), { signal });
+    window.addEventListener("keyup", (event) => this.#hold(event), { signal });
+    window.addEventListener("blur", () => this.#setHeld(""), { signal });
     this.#show();
   }
 

@@ -10,6 +10,7 @@
  * @property {(name: string) => any} get
  * @property {(name: string, value: unknown) => void} set
  * @property {(name: string, changed: (value: any) => void) => void} follow
+ * @property {() => WidgetPort} another
  * @property {() => void} close
  */
 
@@ -54,6 +55,7 @@ export function portOf(model) {
       followed.push([name, listener]);
       model.on(`change:${name}`, listener);
     },
+    another: () => portOf(model),
     close() {
       model.off("msg:custom", hear);
       for (const [name, listener] of followed) model.off(`change:${name}`, listener);

@@ -20,6 +20,7 @@ export class BlankScene {
   };
   async prepare() {}
   setMesh() {}
+  setBeside() {}
   setSurface() {}
   setSilhouette() {}
   setSeeThrough() {}

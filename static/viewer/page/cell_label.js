@@ -6,7 +6,7 @@ import { h, setText } from "../widgets/dom.js";
 /**
  * A short label at the cell that is meant: its number, and the value that is looked at.
  *
- * @param {import("../widgets/bind.js").Context} context
+ * @param {import("../widgets/bind.js").MeshContext} context
  * @param {import("../scene/scene_like.js").SceneLike} scene
  */
 export function cellLabel(context, scene) {

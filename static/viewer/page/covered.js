@@ -6,10 +6,11 @@ import { watch } from "../widgets/bind.js";
  *
  * @param {import("../widgets/bind.js").Context} context @param {HTMLElement} inspector @param {HTMLCanvasElement} canvas
  */
-export function centreBeside({ app, ...context }, inspector, canvas) {
-  watch({ app, ...context }, { facts: ["cell", "flown"] }, () => {
+export function centreBeside(context, inspector, canvas) {
+  watch(context, { facts: ["cell", "flown"] }, () => {
     const shown = context.facts.get("cell") && context.facts.get("flown");
     const [cover, picture] = [inspector, canvas].map((element) => element.getBoundingClientRect());
-    app.scene.covered = shown && cover.left > picture.left + 1 ? Math.max(0, picture.right - cover.left) : 0;
+    context.app.scene.covered =
+      shown && cover.left > picture.left + 1 ? Math.max(0, picture.right - cover.left) : 0;
   });
 }

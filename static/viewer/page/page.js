@@ -1,3 +1,4 @@
+import { compare } from "../panels/compare.js";
 import { drawing } from "../panels/drawing.js";
 import { features } from "../panels/features.js";
 import { filters } from "../panels/filters.js";
@@ -7,7 +8,6 @@ import { mesh } from "../panels/mesh.js";
 import { quality } from "../panels/quality.js";
 import { structure } from "../panels/structure.js";
 import { surroundings } from "../panels/surroundings.js";
-import { followPixelRatio } from "../widgets/pixel_ratio.js";
 import { renderSection } from "../widgets/section.js";
 import { bar } from "./bar.js";
 import { tellChanges } from "./changes_told.js";
@@ -23,13 +23,15 @@ import { messageList } from "./message_list.js";
 import { progressBar } from "./progress_bar.js";
 import { cellLabel } from "./cell_label.js";
 import { embeddedCorner } from "./embedded.js";
+import { compareView } from "./compare_view.js";
 import { centreBeside } from "./covered.js";
 import { emptyState } from "./empty_state.js";
+import { followSize } from "./canvas_size.js";
 import { statusLine } from "./status_line.js";
 import { pictureInWords } from "./picture_in_words.js";
 
 /** The panel's sections, in their order. */
-export const SECTIONS = [mesh, groups, filters, drawing, quality, features, structure, surroundings];
+export const SECTIONS = [mesh, groups, filters, drawing, quality, features, structure, compare, surroundings];
 
 /** Everything of the page around the canvas. */
 export class Page {
@@ -38,7 +40,7 @@ export class Page {
     this.dialogs = {
       batch: batchDialog(context),
       help: helpDialog(context),
-      image: imageDialog(context, canvas),
+      image: imageDialog(context),
       save: saveDialog(context),
       share: shareDialog(context),
       status: statusDialog(context),
@@ -48,21 +50,25 @@ export class Page {
     place("panel", ...SECTIONS.map((section) => renderSection(context, section)));
     const cellInspector = inspector(context);
     place(
-      "view",
+      "pane",
       progressBar(context),
-      emptyState(context),
       fitButton(context),
       cellLabel(context, context.app.scene),
       cellInspector,
+    );
+    place(
+      "view",
+      emptyState(context),
       messageList(context),
       ...(context.app.host.embedded ? [embeddedCorner(context)] : []),
     );
     place("status-line", ...statusLine(context));
     document.body.append(...Object.values(this.dialogs));
-    pictureInWords(context, canvas);
+    pictureInWords(context, canvas, /** @type {HTMLElement} */ (document.getElementById("picture-in-words")));
+    compareView(context);
     tellChanges(context, SECTIONS);
     centreBeside(context, cellInspector, canvas);
-    followSize(context, canvas);
+    followSize(context.app.scene, canvas);
     followModality();
   }
 }
@@ -70,17 +76,6 @@ export class Page {
 /** @param {string} id @param {...Node} nodes */
 function place(id, ...nodes) {
   document.getElementById(id)?.append(...nodes);
-}
-
-/** @param {import("../widgets/bind.js").Context} context @param {HTMLCanvasElement} canvas */
-function followSize({ app }, canvas) {
-  const resize = () => {
-    const { clientWidth, clientHeight } = canvas;
-    if (clientWidth && clientHeight) app.scene.resize(clientWidth, clientHeight, devicePixelRatio);
-  };
-  new ResizeObserver(resize).observe(canvas);
-  window.addEventListener("resize", resize);
-  followPixelRatio(resize);
 }
 
 /** The picture takes the focus when it is clicked; it shows that only to those who work by keyboard. */

@@ -9,10 +9,9 @@ import { shownInWords } from "./status_line.js";
 /**
  * The picture's text equivalent (SPEC V8), as the canvas' description.
  *
- * @param {import("../widgets/bind.js").Context} context @param {HTMLCanvasElement} canvas
+ * @param {import("../widgets/bind.js").MeshContext} context @param {HTMLCanvasElement} canvas @param {HTMLElement} caption
  */
-export function pictureInWords(context, canvas) {
-  const caption = /** @type {HTMLElement} */ (document.getElementById("picture-in-words"));
+export function pictureInWords(context, canvas, caption) {
   watch(
     context,
     { status: ["filters", "colour", "separation.mode", "unit"], facts: ["summary", "shown", "statistics"] },
@@ -24,7 +23,7 @@ export function pictureInWords(context, canvas) {
   );
 }
 
-/** @param {import("../widgets/bind.js").Context} context @returns {string[]} */
+/** @param {import("../widgets/bind.js").MeshContext} context @returns {string[]} */
 function sentences(context) {
   const { facts, store } = context;
   const summary = facts.get("summary");

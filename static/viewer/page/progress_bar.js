@@ -1,7 +1,7 @@
 import { watch } from "../widgets/bind.js";
 import { h, setAttribute, setText } from "../widgets/dom.js";
 
-/** The thin bar that says what is under way. @param {import("../widgets/bind.js").Context} context */
+/** The thin bar that says what is under way. @param {import("../widgets/bind.js").MeshContext} context */
 export function progressBar(context) {
   const fill = h("span", { class: "progress-fill" });
   const bar = h(

@@ -1,6 +1,7 @@
 import { count, counted, decimal } from "../state/numbers.js";
 import { cellInWords } from "../state/structure.js";
 import { measured } from "../state/units.js";
+import { followSecond } from "../state/second_facts.js";
 import { watch } from "../widgets/bind.js";
 import { h, setText } from "../widgets/dom.js";
 
@@ -8,12 +9,27 @@ import { h, setText } from "../widgets/dom.js";
 export function statusLine(context) {
   const shown = h("span", { role: "status" });
   const hover = h("span", { class: "hover-cell" });
-  watch(context, { facts: ["shown", "summary"] }, () => setText(shown, shownInWords(context)));
-  watch(context, { facts: ["hover", "tool", "changed"] }, () => setText(hover, hoverInWords(context)));
+  const tell = () => {
+    const second = context.facts.get("second");
+    const parts = second
+      ? [`A: ${shownInWords(context)}`, `B: ${shownInWords({ facts: second })}`]
+      : [shownInWords(context)];
+    setText(shown, parts.join(" · "));
+  };
+  /** The pointer is over one of both. */
+  const tellHover = () => {
+    const second = context.facts.get("second");
+    const over = second?.get("hover") ? { ...context, facts: second } : context;
+    setText(hover, hoverInWords(over));
+  };
+  watch(context, { facts: ["shown", "summary", "second"] }, tell);
+  watch(context, { facts: ["hover", "tool", "changed"] }, tellHover);
+  followSecond(context, ["shown", "summary"], tell);
+  followSecond(context, ["hover"], tellHover);
   return [shown, hover];
 }
 
-/** @param {import("../widgets/bind.js").Context} context */
+/** @param {{ facts: import("../state/facts.js").Facts }} context */
 export function shownInWords({ facts }) {
   const summary = facts.get("summary");
   const shown = facts.get("shown");
@@ -31,7 +47,7 @@ const TOOL_WORDS = {
   isolate: "click a cell to hide all others",
 };
 
-/** @param {import("../widgets/bind.js").Context} context */
+/** @param {Pick<import("../widgets/bind.js").Context, "facts" | "store">} context */
 function hoverInWords({ facts, store }) {
   const hover = facts.get("hover");
   const tool = TOOL_WORDS[facts.get("tool")];

@@ -52,7 +52,7 @@ export function catalogueChooser(context) {
 }
 
 /** @param {import("../state/entry.js").Index | null} catalogue @param {string} local name of the file that is open, if it is not the catalogue's */
-function sourceOptions(catalogue, local) {
+export function sourceOptions(catalogue, local) {
   const first = { value: "", name: local ? `File: ${local}` : "Choose a source…" };
   const rows = (catalogue?.sources ?? []).map((source) => ({
     value: source.slug,
@@ -62,7 +62,7 @@ function sourceOptions(catalogue, local) {
 }
 
 /** @param {Source | null} source */
-function meshOptions(source) {
+export function meshOptions(source) {
   const rows = (source?.meshes ?? []).map((mesh) => ({
     value: mesh.slug,
     name: mesh.cells ? `${mesh.name} (${count(mesh.cells)})` : mesh.name,

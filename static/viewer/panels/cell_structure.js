@@ -2,7 +2,7 @@ import { NAMES, lookAt } from "../state/structure.js";
 import { h } from "../widgets/dom.js";
 
 /**
- * @typedef {import("../widgets/bind.js").Context} Context
+ * @typedef {import("../widgets/bind.js").MeshContext} Context
  * @typedef {import("../state/structure.js").Kind} Kind
  */
 

@@ -9,6 +9,8 @@ import { icon } from "../widgets/icons.js";
 import { brush } from "../charts/brush.js";
 import { layOut } from "../charts/histogram_layout.js";
 import { marks } from "../charts/histogram_svg.js";
+import { withSecond } from "../charts/second.js";
+import { followSecond } from "../state/second_facts.js";
 
 /** @typedef {import("../widgets/bind.js").Context} Context */
 
@@ -47,7 +49,8 @@ export function histogramPanel(context) {
     },
     icon("isolate"),
   );
-  const element = h("div", { class: "histogram-frame" }, enlarge, svg, caption, note);
+  const key = h("p", { class: "quiet histogram-note", hidden: true });
+  const element = h("div", { class: "histogram-frame" }, enlarge, svg, caption, key, note);
   const hand = brush(svg, {
     band: () => bandOf(context),
     write: (band, undo) => context.store.set(withBand(context, band), { undo }),
@@ -59,9 +62,10 @@ export function histogramPanel(context) {
   const dark = matchMedia("(prefers-color-scheme: dark)");
 
   function draw() {
-    const data = context.facts.get("histogram");
-    element.hidden = !data;
-    if (!data || !element.clientWidth) return;
+    const own = context.facts.get("histogram");
+    element.hidden = !own;
+    if (!own || !element.clientWidth) return;
+    const data = withSecond(own, context.facts);
     const quantity = quantityOf(context);
     const { orientation, scale } = context.store.status.histogram;
     const frame = {
@@ -77,6 +81,7 @@ export function histogramPanel(context) {
     const look = {
       colour: mapColours(context.store.status.colour, context.facts.get("colour")?.high_first),
       ink: token("--ink"),
+      paper: token("--surface"),
       quiet: token("--quiet"),
       line: token("--edge"),
       rim: dark.matches ? token("--quiet") : "none",
@@ -87,6 +92,11 @@ export function histogramPanel(context) {
     svg.setAttribute("height", String(frame.height));
     svg.setAttribute("aria-label", `Histogram of ${titled(quantity.name, quantity.unit)}`);
     hand.draw(layout, marks(layout, data, look));
+    key.hidden = !data.beside;
+    setText(
+      key,
+      data.beside ? `Bars: A. Line: B${data.beside.scaled ? ", as if it had as many cells" : ""}.` : "",
+    );
     setText(caption, inWords(data, quantity));
     note.hidden = !data.not_finite;
     setText(
@@ -102,6 +112,7 @@ export function histogramPanel(context) {
     { status: ["histogram", "colour", "filters.quality", "unit"], facts: ["histogram", "statistics"] },
     draw,
   );
+  followSecond(context, ["histogram"], draw);
   new ResizeObserver(draw).observe(element);
   dark.addEventListener("change", draw);
   return element;

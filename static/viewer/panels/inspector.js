@@ -7,15 +7,15 @@ import { h } from "../widgets/dom.js";
 import { icon } from "../widgets/icons.js";
 import { structureOfCell } from "./cell_structure.js";
 
-/** @typedef {import("../widgets/bind.js").Context} Context @typedef {import("../state/answers.js").Inspection} Inspection */
+/** @typedef {import("../widgets/bind.js").MeshContext} Context @typedef {import("../state/answers.js").Inspection} Inspection */
 
 /**
  * The cell that was clicked (SPEC V7): number, kind, corners, neighbours, every metric, attributes.
  *
- * @param {Context} context
+ * @param {Context} context @param {string} [id] of its heading
  */
-export function inspector(context) {
-  const heading = h("h2", { id: "inspector-title" });
+export function inspector(context, id = "inspector-title") {
+  const heading = h("h2", { id });
   const close = h(
     "button",
     {

@@ -25,7 +25,7 @@ export function offersChooser(context) {
 
   /** What is on the screen. */
   function show() {
-    const offers = facts.get("offers");
+    const offers = facts.get("offers").filter(({ surface }) => !surface);
     const offered = facts.get("offered");
     const other = facts.get("summary") && offered === null ? facts.get("summary")?.name : "";
     row.hidden = offers.length < 2;

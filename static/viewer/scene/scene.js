@@ -22,6 +22,9 @@ import { View } from "./frame/view.js";
  * @typedef {import("./scene_like.js").SceneLike} SceneLike
  */
 
+/** What is drawn over the surface. */
+const OVER = /** @type {const} */ (["arrows", "marks", "curves", "reference"]);
+
 /**
  * The drawing of one mesh on one canvas: takes the core's buffers and the status document, draws when something changed.
  *
@@ -57,6 +60,8 @@ export class Scene {
   #abort = new AbortController();
   /** @type {import("../geometry/records.js").MeshFrame} */
   #mesh = { cells: 0 };
+  /** Points that stand for the mesh, 3 coordinates each. @type {ArrayLike<number>} */
+  #body = [];
   /** @type {(() => void)[]} */
   #waiting = [];
   #marked = new Mark((at) => this.#events.emit("marked", at));
@@ -146,20 +151,25 @@ export class Scene {
   /** Begins another mesh: what was drawn of the last one goes. @param {import("../geometry/records.js").MeshFrame} mesh */
   setMesh(mesh) {
     this.#mesh = mesh;
-    this.#rig.body = mesh.outline?.length ? mesh.outline : cornersOf(frameOf(mesh));
+    this.#body = mesh.outline?.length ? mesh.outline : cornersOf(frameOf(mesh));
+    this.setBeside(null);
     this.#drafts.forget();
     this.#layers.outward = false;
     this.setSurface(null);
     this.setSilhouette(null);
     this.setSeeThrough(null);
     this.setIrregular(null);
-    this.setOver("arrows", null);
-    this.setOver("marks", null);
-    this.setOver("curves", null);
+    for (const layer of OVER) this.setOver(layer, null);
     this.setCellColours(null);
     this.mark(null);
     this.#rig.covered = 0;
     this.#layers.plane.set(null, 0, 1);
+  }
+
+  /** @param {Float32Array | null} points of another body, 3 coordinates each: the camera is fitted to both */
+  setBeside(points) {
+    this.#rig.body = points ? Float32Array.from([...Array.from(this.#body), ...points]) : this.#body;
+    this.#touch();
   }
 
   /** Whether every cell is valid at its corners: then the backs of faces need not be drawn. @param {boolean} outward */

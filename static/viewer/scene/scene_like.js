@@ -1,6 +1,6 @@
 /**
  * @typedef {{ arrows: import("../geometry/records.js").Arrows, marks: import("../geometry/records.js").Marks,
- *   curves: import("../geometry/records.js").Curves }} Over
+ *   curves: import("../geometry/records.js").Curves, reference: import("../geometry/records.js").Silhouette }} Over
  *
  * What the viewer knows of a scene, so that one which draws nothing can stand in for it.
  *
@@ -45,6 +45,8 @@
  *   what it returns takes the listener off
  * @property {() => Promise<void>} prepare
  * @property {(mesh: import("../geometry/records.js").MeshFrame) => void} setMesh
+ * @property {(points: Float32Array | null) => void} setBeside points of another body that is seen beside the mesh, 3 coordinates
+ *   each: the camera is fitted to both
  * @property {(surface: import("../geometry/records.js").Surface | null, same?: boolean) => void} setSurface
  * @property {(silhouette: import("../geometry/records.js").Silhouette | null) => void} setSilhouette
  * @property {(surface: import("../geometry/records.js").Surface | null) => void} setSeeThrough of hidden cells

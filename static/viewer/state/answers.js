@@ -128,6 +128,7 @@
  * @property {Arrows} [arrows]
  * @property {Marks} [marks]
  * @property {Curves} [curves]
+ * @property {Silhouette} [reference] surface of what the mesh is compared with
  * @property {Colour | null} [colour] null for sides
  *
  * @typedef {import("../geometry/records.js").Surface} Surface
@@ -325,6 +326,66 @@
  * @property {Float32Array} edges both ends of each, 6 numbers for an edge
  *
  * @typedef {import("./status.js").PartialStatus} PartialStatus
+ */
+
+/**
+ * What a comparison tells (SPEC S6, S7).
+ *
+ * @typedef {object} HandedOver  what the core of another mesh has to know of one
+ * @property {string} name
+ * @property {number} vertices
+ * @property {number} cells
+ * @property {Float64Array} points of the boundary: all x, then all y, then all z
+ * @property {Int32Array} triangles of the boundary: all first corners, then the second, then the third
+ * @property {number | null} volume
+ * @property {Float64Array | null} coordinates of all vertices, if the cells are the same
+ *
+ * @typedef {object} Compared  what a mesh is compared with
+ * @property {string} name
+ * @property {boolean} same_cells
+ * @property {string} difference what tells the cells apart; empty of a reference surface
+ * @property {SurfaceFacts | null} surface of a reference surface
+ * @property {Displacement | null} displacement where the cells are the same
+ * @property {number} diagonal of the extent, that percents are of
+ * @property {number | null} volume_ratio volume of the second over that of the first; null where one has none
+ *
+ * @typedef {object} SurfaceFacts
+ * @property {string} file
+ * @property {string} format
+ * @property {number} vertices
+ * @property {number} triangles
+ * @property {number} area
+ * @property {number | null} volume that it encloses, if it is closed
+ * @property {boolean} closed
+ * @property {string[]} notes
+ *
+ * @typedef {object} Displacement  of vertices, from the first mesh to the second
+ * @property {number} moved
+ * @property {number} max in the file's unit
+ * @property {number} mean
+ * @property {number} max_percent of the diagonal
+ * @property {number} mean_percent
+ *
+ * @typedef {object} DistanceFacts  from the vertices of one surface to another surface
+ * @property {number} vertices
+ * @property {number} max in the file's unit
+ * @property {number} mean
+ * @property {number} rms
+ * @property {number} max_percent of a diagonal
+ * @property {number} mean_percent
+ * @property {number} rms_percent
+ * @property {Point} worst the vertex that is farthest away
+ *
+ * @typedef {{ there: DistanceFacts, back: DistanceFacts | null }} Distances
+ *
+ * @typedef {{ done: number, of: number }} Measured  vertices
+ *
+ * @typedef {object} Changes  of a metric, from the first mesh to the second
+ * @property {number} worse cells
+ * @property {number} better
+ * @property {number} same
+ * @property {number | null} largest_loss null where a value is not finite any more
+ * @property {number[]} cells the file's numbers of those that got worse the most
  */
 
 export {};

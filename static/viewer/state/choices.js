@@ -35,7 +35,13 @@ const NAMES = {
     block: "Block",
     chosen: "What is chosen",
   },
-  "colour.map": { parula: "Parula", viridis: "Viridis", jet: "Jet", red_blue: "Red-Blue" },
+  "colour.map": {
+    parula: "Parula",
+    viridis: "Viridis",
+    jet: "Jet",
+    red_blue: "Red-Blue",
+    diverging: "Diverging",
+  },
   "see_through.cells": {
     none: "nothing",
     all: "all that is hidden",
@@ -50,6 +56,9 @@ const NAMES = {
   "filters.structure.complex": { whole: "all irregular edges", interior: "those inside alone" },
   "structure.kind": { none: "Off", arcs: "Arcs", sheets: "Sheets", chords: "Chords", blocks: "Blocks" },
   "structure.form": { cells: "Cells", surfaces: "Surfaces" },
+  "compare.layout": { beside: "Side by side", curtain: "Curtain" },
+  "compare.camera": { auto: "as fits", own: "each in its own frame", same: "at the same place" },
+  "compare.colours": { common: "common to both", own: "each its own" },
   "structure.complex": { whole: "all irregular edges", interior: "those inside alone" },
   "irregular.palette": { standard: "standard", colour_blind: "for colour-blind eyes" },
   "lighting.mode": {
@@ -66,6 +75,7 @@ const NAMES = {
   "figure.legend_place": { right: "right", left: "left" },
   "figure.scale_bar_place": CORNERS,
   "figure.axes_place": CORNERS,
+  "figure.meshes": { together: "both in one", apart: "a file for each" },
   "figure.panels.setting": {
     none: "one picture",
     peel: "peel",

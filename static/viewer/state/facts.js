@@ -23,6 +23,12 @@ import { ROWS } from "./numbering.js";
  * @property {import("./answers.js").CellStructure | null} [structure] what it is part of, once that is traced
  * @property {readonly (number | null)[] | null} [components] of which the value is the magnitude
  *
+ * @typedef {object} Apart  how far two surfaces are apart
+ * @property {import("./answers.js").DistanceFacts} a_to_b
+ * @property {import("./answers.js").DistanceFacts} b_to_a
+ * @property {number} hausdorff the larger of both largest
+ * @property {number} hausdorff_percent of the first one's diagonal
+ *
  * @typedef {object} FactTable  the facts by name
  * @property {"starting" | "ready" | "failed"} core
  * @property {Tool} tool what a click on the picture does
@@ -34,7 +40,7 @@ import { ROWS } from "./numbering.js";
  * @property {import("./entry.js").CatalogueSource | null} source chosen from the catalogue
  * @property {import("./entry.js").Entry | null} entry of the open mesh
  * @property {string} address that the open mesh was fetched from; empty for a file
- * @property {readonly { id: string, name: string }[]} offers meshes that the core has at hand
+ * @property {readonly { id: string, name: string, surface?: boolean }[]} offers meshes, and surfaces to measure against, that the core has at hand
  * @property {string | null} offered the open mesh, if it is one of these
  * @property {"kept" | "free" | "coming" | null} offline whether this browser keeps the open mesh until it is freed; null where it can't
  * @property {MeshSummary | null} summary of the open mesh, null while there is none
@@ -65,6 +71,11 @@ import { ROWS } from "./numbering.js";
  * @property {boolean} remember whether the last files are kept in this browser
  * @property {{ name: string, press: () => unknown } | null} again the files that were open when the page was left
  * @property {string | null} lack why this browser keeps nothing for when there is no network; empty where it does, null while that is not known
+ * @property {import("./answers.js").Compared | null} comparison what the mesh is compared with, once both know of each other
+ * @property {Facts | null} second what is known of the second mesh
+ * @property {boolean} together whether both are seen at the same place
+ * @property {Apart | null} apart once it was measured
+ * @property {import("./answers.js").Measured | null} measuring while that is measured
  * @property {import("./quality_filter.js").Keep | null} keep chosen while the quality filter hides nothing yet
  */
 
@@ -118,6 +129,11 @@ const NOTHING = {
   again: null,
   offline: null,
   lack: null,
+  comparison: null,
+  second: null,
+  together: false,
+  apart: null,
+  measuring: null,
   keep: null,
 };
 

@@ -85,3 +85,12 @@ export function openingSettings(own, { status, touched, keeping, alike, renewed,
     kept,
   };
 }
+
+/**
+ * Whether a mesh has an attribute, of so many components where that matters.
+ *
+ * @param {import("./facts.js").MeshSummary} summary @param {string} quantity @param {number} [components]
+ */
+export function hasAttribute({ attributes = [] }, quantity, components = 0) {
+  return attributes.some((one) => one.id === quantity && (!components || one.components === components));
+}

@@ -1,11 +1,11 @@
-import { metricOf, tracedOf } from "./tables.js";
+import { comparedOf, metricOf, tracedOf } from "./tables.js";
 import { unitOf } from "./units.js";
 
 /**
  * What is looked at, coloured and filtered by: a quantity, that is a metric or one of the file's attributes; and its scale.
  *
  * @typedef {object} Known  what tells of it
- * @property {import("./store.js").StatusStore} store
+ * @property {{ status: import("./status.js").Status }} store
  * @property {import("./facts.js").Facts} facts
  * @property {import("./tables.js").Tables} tables
  *
@@ -25,11 +25,13 @@ export function quantityOf({ store, facts, tables }) {
   const axis = histogram?.quantity === id ? histogram : null;
   const low = axis?.low ?? statistics?.min ?? 0;
   const high = axis?.high ?? statistics?.max ?? 1;
-  const better = row?.better ?? "low";
-  const lengthPower = row?.length_power ?? 0; // of attributes nobody knows
+  const compared = comparedOf(tables, id);
+  const better = row?.better ?? compared?.better ?? "low";
+  const lengthPower = row?.length_power ?? compared?.length_power ?? 0; // of attributes nobody knows
   return {
     id,
-    name: row?.name ?? tracedOf(tables, id)?.name ?? attributeName(facts.get("summary"), id),
+    name:
+      row?.name ?? compared?.name ?? tracedOf(tables, id)?.name ?? attributeName(facts.get("summary"), id),
     symbol: row?.symbol ?? "",
     variant: row?.variant ?? "",
     attribute: !row,
@@ -73,13 +75,30 @@ export function quantityOptions({ facts, tables }) {
     group: one.on === "cell" ? "Of cells" : "Of points",
   }));
   const traced = tables.traced.map(({ id, name }) => ({ value: id, name, group: "Structure" }));
-  return [...metrics, ...attributes, ...traced];
+  const told = facts.get("comparison");
+  const compared = (told ? tables.compared : [])
+    .filter(({ cellwise }) => told?.same_cells || !cellwise)
+    .map(({ id, name }) => ({ value: id, name, group: "Comparison" }));
+  return [...metrics, ...attributes, ...traced, ...compared];
 }
 
-/** The partial status that makes a metric or attribute the one looked at. @param {string} id @param {Known} known @returns {import("./status.js").PartialStatus} */
+/** The map of changes, whose middle is no change. */
+const DIVERGING = "diverging";
+
+/**
+ * The partial status that makes a metric or attribute the one looked at. Changes come with a map whose middle is no change.
+ *
+ * @param {string} id @param {{ store: import("./store.js").StatusStore, tables: import("./tables.js").Tables }} known
+ * @returns {import("./status.js").PartialStatus}
+ */
 export function chooseQuantity(id, { store, tables }) {
-  const { by } = store.status.colour;
+  const { by, map } = store.status.colour;
+  const signed = Boolean(comparedOf(tables, id)?.metric);
+  const fitting =
+    signed === (map === DIVERGING) ? {} : { map: signed ? DIVERGING : store.defaults.colour.map };
   if (metricOf(tables, id))
-    return { colour: { metric: id, ...(by === "attribute" ? { by: "quality" } : {}), range: null } };
-  return { colour: { by: "attribute", attribute: id, range: null } };
+    return {
+      colour: { metric: id, ...(by === "attribute" ? { by: "quality" } : {}), range: null, ...fitting },
+    };
+  return { colour: { by: "attribute", attribute: id, range: null, ...fitting } };
 }

@@ -87,7 +87,7 @@
  *     readonly metric: string,
  *     readonly attribute: string,
  *     readonly grouping: string,
- *     readonly map: "parula" | "viridis" | "jet" | "red_blue",
+ *     readonly map: "parula" | "viridis" | "jet" | "red_blue" | "diverging",
  *     readonly reversed: boolean,
  *     readonly steps: number,
  *     readonly missing: string,
@@ -95,6 +95,7 @@
  *     readonly above: string,
  *     readonly below: string,
  *     readonly range: readonly [number, number] | null,
+ *     readonly reach: readonly [number, number] | null,
  *   },
  *   readonly silhouette: number,
  *   readonly see_through: {
@@ -129,6 +130,28 @@
  *     readonly curves: boolean,
  *     readonly explode: number,
  *   },
+ *   readonly compare: {
+ *     readonly other: {
+ *       readonly name: string,
+ *       readonly sha256: string,
+ *       readonly cells: number,
+ *     },
+ *     readonly layout: "beside" | "curtain",
+ *     readonly divider: number,
+ *     readonly camera: "auto" | "own" | "same",
+ *     readonly colours: "common" | "own",
+ *     readonly picking: {
+ *       readonly isolated: boolean,
+ *       readonly hidden: readonly number[],
+ *       readonly shown: readonly number[],
+ *     },
+ *     readonly reference: {
+ *       readonly shown: boolean,
+ *       readonly opacity: number,
+ *       readonly colour: string,
+ *     },
+ *     readonly labels: boolean,
+ *   },
  *   readonly lighting: {
  *     readonly mode: "object_space_ao" | "screen_space_ao" | "direct" | "none",
  *     readonly shade: number,
@@ -162,6 +185,7 @@
  *     readonly axes_place: "bottom_right" | "bottom_left" | "top_left" | "top_right",
  *     readonly caption: boolean,
  *     readonly caption_text: string,
+ *     readonly meshes: "together" | "apart",
  *     readonly panels: {
  *       readonly setting: "none" | "peel" | "regularisation" | "irregular" | "separation" | "lighting" | "slice" | "silhouette" | "line_opacity",
  *       readonly values: readonly number[],
@@ -197,6 +221,9 @@
  *   "structure.kind": Status["structure"]["kind"],
  *   "structure.form": Status["structure"]["form"],
  *   "structure.complex": Status["structure"]["complex"],
+ *   "compare.layout": Status["compare"]["layout"],
+ *   "compare.camera": Status["compare"]["camera"],
+ *   "compare.colours": Status["compare"]["colours"],
  *   "lighting.mode": Status["lighting"]["mode"],
  *   "histogram.orientation": Status["histogram"]["orientation"],
  *   "histogram.scale": Status["histogram"]["scale"],
@@ -206,6 +233,7 @@
  *   "figure.legend_place": Status["figure"]["legend_place"],
  *   "figure.scale_bar_place": Status["figure"]["scale_bar_place"],
  *   "figure.axes_place": Status["figure"]["axes_place"],
+ *   "figure.meshes": Status["figure"]["meshes"],
  *   "figure.panels.setting": Status["figure"]["panels"]["setting"],
  * }} Choices
  */

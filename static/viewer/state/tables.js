@@ -12,6 +12,14 @@
  * @property {readonly [number | null, number | null]} full_range null: unbounded
  * @property {readonly [number | null, number | null] | null} acceptable_range
  *
+ * @typedef {object} ComparedRow
+ * @property {string} id
+ * @property {string} name
+ * @property {"high" | "low"} better
+ * @property {number} length_power
+ * @property {string} metric whose change it is; empty of what has no sign
+ * @property {boolean} cellwise whether it needs the same cells in both meshes
+ *
  * @typedef {{ id: string, name: string, extensions: readonly string[] }} FormatRow
  *
  * @typedef {{ id: string, name: string, extension: string }} WriterRow
@@ -30,7 +38,9 @@
  * @property {readonly NumberName[]} statistics names of those that the catalogue holds
  * @property {readonly MetricRow[]} metrics
  * @property {readonly { id: string, name: string }[]} traced numbers per cell that come out of the structure
+ * @property {readonly ComparedRow[]} compared numbers per cell that come out of a comparison
  * @property {readonly FormatRow[]} formats
+ * @property {readonly FormatRow[]} surfaces formats of reference surfaces
  * @property {readonly WriterRow[]} writers
  * @property {readonly { id: string, name: string }[]} list_forms forms that cells are copied in
  * @property {number} most_at_once shown cells up to which all sheets or chords are drawn as surfaces and curves, where none is chosen
@@ -46,6 +56,11 @@ export function readTables(page) {
 /** A number per cell out of the structure. @param {Tables} tables @param {string} id */
 export function tracedOf(tables, id) {
   return tables.traced.find((one) => one.id === id);
+}
+
+/** A number per cell out of a comparison. @param {Tables} tables @param {string} id */
+export function comparedOf(tables, id) {
+  return tables.compared.find((one) => one.id === id);
 }
 
 /** @param {Tables} tables @param {string} id */

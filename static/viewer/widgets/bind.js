@@ -6,33 +6,42 @@
  * @typedef {import("../state/facts.js").Facts} Facts
  * @typedef {keyof import("../state/facts.js").FactTable} FactName
  *
- * @typedef {object} Context
+ * @typedef {object} MeshContext  of one mesh, which need not be the page's first
  * @property {StatusStore} store
  * @property {Facts} facts
- * @property {Actions} app
+ * @property {CellActions} app
  * @property {import("../state/tables.js").Tables} tables the core's tables: metrics, formats, defaults
  *
- * @typedef {object} Actions  what the page asks of the application that is more than a setting
+ * @typedef {MeshContext & { app: Actions }} Context
+ *
+ * @typedef {object} CellActions  what can be done with single cells of a mesh
+ * @property {(cell: number | null) => unknown} inspect
+ * @property {(cell: number) => Promise<void>} flyTo
+ * @property {(cell: number) => unknown} cutTo
+ * @property {(tool: import("../state/facts.js").PickingTool, cell: number) => void} pick
+ * @property {(kind: "cell" | "vertex", number: number) => Promise<boolean>} goTo by the file's number; tells whether one is there
+ * @property {(cells: readonly number[], form: string, name: string) => Promise<string | null>} listCells as a text for other programs
+ * @property {(finding: import("../state/answers.js").Finding) => unknown} showFinding
+ * @property {Pick<Structured, "trace">} structured
+ * @property {{ reset: () => void, fitShown: () => void, flyToShown: () => Promise<void> }} views
+ *
+ * @typedef {CellActions & PageActions} Actions  what the page asks of the application that is more than a setting
+ *
+ * @typedef {object} PageActions
+ * @property {Comparing} comparing
  * @property {Pick<import("../hosts/host.js").Host, "root" | "keeps" | "shares" | "embedded">} host
  * @property {{ open: (id: string) => Promise<unknown> } | null} offered meshes that the core has at hand
  * @property {(files: readonly File[]) => Promise<unknown>} openFiles
  * @property {(source: string) => Promise<void>} chooseSource
  * @property {(source: string, mesh: string) => Promise<void>} chooseEntry
- * @property {(cell: number | null) => unknown} inspect
- * @property {(cell: number) => Promise<void>} flyTo
- * @property {(cell: number) => unknown} cutTo
- * @property {(kind: "cell" | "vertex", number: number) => Promise<boolean>} goTo by the file's number; tells whether one is there
- * @property {(cells: readonly number[], form: string, name: string) => Promise<string | null>} listCells as a text for other programs
  * @property {{ measure: () => Promise<void>, meet: (origin: string) => Promise<void> }} grouped
  * @property {Structured} structured
  * @property {() => Promise<void>} saveWorst
  * @property {() => Promise<void>} saveValues
- * @property {(tool: import("../state/facts.js").PickingTool, cell: number) => void} pick
- * @property {(finding: import("../state/answers.js").Finding) => unknown} showFinding
  * @property {(format: ChartFormat) => unknown} saveHistogram
- * @property {{ reset: () => void, fitShown: () => void, flyToShown: () => Promise<void> }} views
  * @property {{ dismiss: (id: number) => void }} messages
- * @property {{ file: (format: "png" | "svg" | "pdf", canvas: HTMLCanvasElement) => Promise<Blob>, size: (canvas: Size) => Size, lastSize: Size }} figures
+ * @property {{ file: (format: "png" | "svg" | "pdf", wanted?: Size | null, which?: "both" | "first" | "second") => Promise<Blob>,
+ *   size: (shown: Size) => Size, shown: Size, lastSize: Size }} figures
  * @property {{ text: () => string, apply: (document: unknown) => Promise<import("../state/answers.js").Rejection[]> }} documents
  * @property {{ stem: string, saveStatus: () => void, link: () => Promise<string> }} saving
  * @property {import("../state/leaving.js").Leaving} leaving files for other programs
@@ -43,6 +52,20 @@
  * @property {{ run: (entries: import("../files/zip.js").Entry[], options: Size & Run & { figures: boolean }) => Promise<{ zip: Blob, failed: { name: string, problem: string }[] }> }} batch
  * @property {{ toggle: () => unknown }} keeping offline, the open mesh
  * @property {import("../scene/scene_like.js").SceneLike} scene
+ *
+ * @typedef {object} Comparing  a second mesh, or a reference surface
+ * @property {boolean} possible whether this page can show a second mesh
+ * @property {(files: readonly File[]) => Promise<void>} openFiles
+ * @property {(source: string, mesh: string) => Promise<void>} openEntry
+ * @property {(id: string) => Promise<void>} openOffered
+ * @property {() => void} close
+ * @property {() => Promise<void>} swap
+ * @property {(quantity: string) => Promise<void>} measure statistics of both
+ * @property {(metric: string) => Promise<import("../state/answers.js").Changes | null>} changes
+ * @property {() => Promise<void>} trace the structure of both
+ * @property {() => void} saveTable the metrics of both, as CSV
+ * @property {readonly (number | null)[]} memory bytes that each core holds
+ * @property {{ measure: () => Promise<import("../state/facts.js").Apart | null>, save: () => Promise<void> }} distances
  *
  * @typedef {import("../state/structure.js").Kind} Kind
  * @typedef {import("../state/answers.js").StructureTable} StructureTable
@@ -148,7 +171,7 @@
 /**
  * Call `update` now and whenever one of the paths or facts changes.
  *
- * @param {Context} context @param {Dependencies} dependencies @param {() => void} update
+ * @param {Pick<MeshContext, "store" | "facts">} context @param {Dependencies} dependencies @param {() => void} update
  */
 export function watch({ store, facts }, { status = [], facts: names = [] }, update) {
   let told = false;

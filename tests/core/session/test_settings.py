@@ -54,15 +54,16 @@ def test_A1_settings_told_one_by_one_draw_what_they_draw_together(
 def test_A1_what_concerns_the_core_stands_in_the_schema_and_nothing_else_is_kept(block: Session) -> None:
     assert set(CORE_PATHS) == {
         "filters", "separation.mode", "separation.gap", "separation.radius", "colour.by", "colour.metric",
-        "colour.attribute", "colour.grouping", "colour.range", "silhouette", "see_through.cells",
+        "colour.attribute", "colour.grouping", "colour.range", "colour.reach", "silhouette", "see_through.cells",
         "arrows.attribute", "irregular.mode", "marks", "structure.kind", "structure.chosen", "structure.form",
         "structure.complex", "structure.boundary", "structure.curves", "structure.explode",
+        "compare.reference.shown",
     }  # fmt: skip
     assert set(ALL) == {
         "filters", "separation", "colour", "silhouette", "see_through", "arrows", "irregular", "marks",
-        "structure",
+        "structure", "compare",
     }  # fmt: skip
-    assert set(ALL["colour"]) == {"by", "metric", "attribute", "grouping", "range"}
+    assert set(ALL["colour"]) == {"by", "metric", "attribute", "grouping", "range", "reach"}
 
 
 def test_S1_wrong_values_are_named_and_the_rest_applies(session: Session) -> None:

@@ -51,9 +51,10 @@ class Conversation:
         self._door = Door(Session(offers or one))
 
     def ask(self, method: str, *arguments: Any, data: bytes | None = None) -> Any:
-        """Ask one question."""
-        blocks = [] if data is None else [data]
-        told = list(arguments) if data is None else [*arguments, {"$bytes": 0}]
+        """Ask one question; `data` is its last argument."""
+        given = arguments if data is None else (*arguments, data)
+        blocks = [one for one in given if isinstance(one, bytes)]
+        told = [{"$bytes": blocks.index(one)} if isinstance(one, bytes) else one for one in given]
         answer = unpack(self._door.answer(method, json.dumps(told), blocks).joined())
         assert "error" not in answer, answer
         return answer["result"]
@@ -94,6 +95,7 @@ def answers(attributed: bytes, infinite: bytes) -> Iterator[tuple[str, Any]]:
     for quantity in ("relative_size_squared", "point:flow", "cell:load"):
         yield "value", core.ask("value", 0, quantity)
     yield from structured_answers()
+    yield from compared_answers(attributed)
     yield "measure_sizes", core.ask("measure_sizes")
     yield "cell_view", core.ask("cell_view", 0)
     yield "cut_to", core.ask("cut_to", 0, [0, 0, 1])
@@ -159,6 +161,52 @@ def structured_answers() -> Iterator[tuple[str, Any]]:
         look = {"kind": kind, "form": form, "chosen": [0], "curves": True, "explode": 0.5}
         yield "update", core.ask("update", {"structure": look, "colour": {"by": "chosen"}}, False, True)
 
+
+def compared_answers(attributed: bytes) -> Iterator[tuple[str, Any]]:
+    """Answers of two cores that are told of each other's mesh; and on a mesh beside a reference surface."""
+    moved = read_bytes(attributed, "grid.vtk")
+    coordinates = moved.coordinates.copy()
+    coordinates[0, 0] -= 0.5
+    after = write_bytes(replace(moved, coordinates=coordinates), "vtk")
+    one, other = Conversation(), Conversation()
+    one.ask("open", "before.vtk", data=attributed)
+    other.ask("open", "after.vtk", data=after)
+    mark = one.ask("fingerprint")
+    yield "fingerprint", mark
+    for to in (mark, ""):
+        handed = other.ask("hand_over", to)
+        yield "hand_over", handed
+        told = {name: handed[name] for name in ("name", "vertices", "cells", "volume")}
+        blocks = [handed[name].tobytes() for name in ("points", "triangles")]
+        coordinates = None if handed["coordinates"] is None else handed["coordinates"].tobytes()
+        yield "compare_with", one.ask("compare_with", told, *blocks, coordinates, True)
+        yield "measure_distance", one.ask("measure_distance")
+        yield "distance_facts", one.ask("distance_facts", False, 2.0)
+        yield "distance_csv", one.ask("distance_csv")
+        if coordinates:
+            yield "metric_changes", one.ask("metric_changes", "volume")
+            yield "quality", one.ask("quality", "change:volume")
+            yield "value", one.ask("value", 0, "compare:displacement")
+            look = {"colour": {"by": "attribute", "attribute": "change:volume"}}
+            yield "update", one.ask("update", {**look, "compare": {"reference": {"shown": True}}})
+            yield "update", one.ask("update", {"arrows": {"attribute": "compare:displacement"}})
+    yield "compare_with_offered", one.ask("compare_with_offered", "one")
+    yield "compare_with_surface", one.ask("compare_with_surface", "one.stl", data=TRIANGLE)
+    yield "measure_distance", one.ask("measure_distance", True)
+    yield "distance_facts", one.ask("distance_facts", True)
+    yield "stop_comparing", one.ask("stop_comparing")
+
+
+TRIANGLE = b"""solid one
+facet normal 0 0 1
+outer loop
+vertex 0 0 2
+vertex 1 0 2
+vertex 0 1 2
+endloop
+endfacet
+endsolid one
+"""
 
 PLANE = {"enabled": True, "normal": [1, 0, 0], "offset": 0}
 

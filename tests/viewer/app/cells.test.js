@@ -28,7 +28,11 @@ function parts(/** @type {object} */ colour, shares = 3) {
       return /** @type {any} */ (answers[method])(...args);
     },
   };
-  const tables = { traced: [], metrics: [{ id: "shape_and_size", name: "Shape and Size", symbol: "SHS" }] };
+  const tables = {
+    traced: [],
+    compared: [],
+    metrics: [{ id: "shape_and_size", name: "Shape and Size", symbol: "SHS" }],
+  };
   const said = /** @type {any[]} */ ([]);
   const messages = { settle: () => {}, error: (/** @type {any} */ error) => said.push(error) };
   const scene = { highlight() {}, mark() {} };

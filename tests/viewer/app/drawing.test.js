@@ -4,6 +4,7 @@ import { Drawing } from "../../../static/viewer/app/drawing.js";
 import { Messages } from "../../../static/viewer/app/messages.js";
 import { Superseded } from "../../../static/viewer/core/client.js";
 import { Facts } from "../../../static/viewer/state/facts.js";
+import { Look } from "../../../static/viewer/state/look.js";
 import { CoreSettings } from "../../../static/viewer/state/core_settings.js";
 import { StatusStore } from "../../../static/viewer/state/store.js";
 
@@ -51,14 +52,12 @@ function parts() {
   };
   const messages = new Messages(facts);
   const drawing = new Drawing({
-    store,
+    look: new Look(store),
     client: /** @type {any} */ (client),
     scene: /** @type {any} */ (scene),
     facts,
     messages,
     tables: /** @type {any} */ ({ core_paths: CORE_PATHS }),
-    canvas: /** @type {any} */ (null),
-    host: /** @type {any} */ ({ offers: null, root: "" }),
   });
   drawing.begin();
   drawn.length = 0;

@@ -3,6 +3,7 @@ import { test } from "node:test";
 import { Measures } from "../../../static/viewer/app/measures.js";
 import { Messages } from "../../../static/viewer/app/messages.js";
 import { Facts } from "../../../static/viewer/state/facts.js";
+import { Look } from "../../../static/viewer/state/look.js";
 import { StatusStore } from "../../../static/viewer/state/store.js";
 
 const DEFAULTS = {
@@ -30,10 +31,11 @@ test("R11: the file's numbers are known before statistics and worst cells are as
       return answers[method];
     },
   };
-  const tables = { metrics: [{ id: "volume", name: "Volume" }], described: ["groups"] };
+  const tables = { metrics: [{ id: "volume", name: "Volume" }], compared: [], described: ["groups"] };
   const drawing = { update: async () => {} };
   const messages = new Messages(facts);
-  const app = /** @type {any} */ ({ store, facts, client, tables, drawing, messages, note() {} });
+  const look = new Look(store);
+  const app = /** @type {any} */ ({ store, look, facts, client, tables, drawing, messages, note() {} });
   await new Measures(app).fill();
   assert.deepEqual(asked, ["numbers", "quality", "histogram", "worst", "describe"]);
   const numbering = facts.get("numbering");

@@ -17,8 +17,8 @@ const hex = (/** @type {string} */ map, /** @type {number} */ t) =>
     )
     .join("")}`;
 
-test("Q5: the four maps begin with the best colour and end with the worst", () => {
-  assert.deepEqual([...PALETTES].sort(), ["jet", "parula", "red_blue", "viridis"]);
+test("Q5: the maps begin with the best colour and end with the worst", () => {
+  assert.deepEqual([...PALETTES].sort(), ["diverging", "jet", "parula", "red_blue", "viridis"]);
   assert.deepEqual([hex("parula", 0), hex("parula", 1)], ["#352a87", "#f9fb0e"]);
   assert.deepEqual([hex("jet", 0), hex("jet", 1)], ["#00007f", "#8d0000"]);
   assert.deepEqual(
@@ -26,6 +26,10 @@ test("Q5: the four maps begin with the best colour and end with the worst", () =
     ["#0000ff", "#ffffff", "#ff0000"],
   );
   assert.deepEqual([hex("viridis", 0), hex("viridis", 1)], ["#440154", "#fde725"]);
+  assert.deepEqual(
+    [hex("diverging", 0), hex("diverging", 0.5), hex("diverging", 1)],
+    ["#1f5fa8", "#f4f2ee", "#b01f2e"],
+  );
 });
 
 test("Q5: parula and viridis grow lighter all the way, by the eye's measure", () => {

@@ -60,7 +60,9 @@ test("Q1: a metric has the unit of its dimension, an attribute of the file none"
   ];
   const looked = (/** @type {object} */ colour) => {
     const store = { status: { unit: "cm", colour: { by: "quality", attribute: "", ...colour } } };
-    return quantityOf(/** @type {any} */ ({ store, facts: new Facts(), tables: { metrics, traced: [] } }));
+    return quantityOf(
+      /** @type {any} */ ({ store, facts: new Facts(), tables: { metrics, traced: [], compared: [] } }),
+    );
   };
   const { unit, lengthPower } = looked({ metric: "volume" });
   assert.deepEqual([unit, lengthPower], ["cm³", 3]);

@@ -15,13 +15,13 @@ from ...errors import HexaLabError
 from ...status import merge
 from ..built import FRAME, NOTEBOOK, SCRIPT, SHEET, built_viewer
 from ..frames import read_question
-from ..offers import Offer
+from ..offers import AnyOffer, Offer, listed
 from ..seat import Seat
 from .pieces import Pieces
 from .still import still
 
-OFFERED = "mesh"
-"""What the page knows the mesh by."""
+OFFERED, COMPARED = "mesh", "other"
+"""What the page knows the mesh by, and what it is compared with."""
 
 HEIGHT = 520
 LEAST_HEIGHT, MOST_HEIGHT = 200, 4000
@@ -51,11 +51,18 @@ class View(anywidget.AnyWidget):
     height = traitlets.Int(HEIGHT, min=LEAST_HEIGHT, max=MOST_HEIGHT).tag(sync=True)
     _version = traitlets.Unicode(__version__).tag(sync=True)
 
-    def __init__(self, mesh: Offer, status: Settings | None = None, height: int = HEIGHT) -> None:
+    def __init__(
+        self,
+        mesh: Offer,
+        status: Settings | None = None,
+        height: int = HEIGHT,
+        compare: AnyOffer | None = None,
+    ) -> None:
         folder = built_viewer()
         self._esm = (folder / NOTEBOOK).read_text("utf-8")
         self._bundle = [(folder / name).read_bytes() for name in (FRAME, SCRIPT)]
-        self._offers = {OFFERED: mesh}
+        self._mesh = mesh
+        self._offers: dict[str, AnyOffer] = {OFFERED: mesh, **({COMPARED: compare} if compare else {})}
         self._first = dict(status or {})
         self._seats: dict[str, Seat] = {}
         self._pieces = Pieces()
@@ -155,9 +162,8 @@ class View(anywidget.AnyWidget):
 
     @property
     def _words(self) -> str:
-        mesh = self._offers[OFFERED].mesh()
-        kinds = ", ".join(f"{count:,} {kind}" for kind, count in mesh.kind_counts.items())
-        return f"{self._offers[OFFERED].name} ({kinds})"
+        kinds = ", ".join(f"{count:,} {kind}" for kind, count in self._mesh.mesh().kind_counts.items())
+        return f"{self._mesh.name} ({kinds})"
 
     # -- for the page
 
@@ -184,8 +190,13 @@ class View(anywidget.AnyWidget):
     def _seat(self, message: dict[str, Any], _: list[Any]) -> None:
         view = str(message["view"])
         self._seats[view] = Seat(self._offers)
-        offers = [{"id": OFFERED, "name": self._offers[OFFERED].name}]
-        hello = {"version": __version__, "offers": offers, "status": self.status or None, "opens": True}
+        hello = {
+            "version": __version__,
+            "offers": listed(self._offers),
+            "status": self.status or None,
+            "opens": True,
+            "compare": COMPARED if COMPARED in self._offers else None,
+        }
         self.send({"kind": "hello", "view": view, "hello": hello})
 
     def _ask(self, message: dict[str, Any], buffers: list[Any]) -> None:

@@ -12,6 +12,7 @@ import { isApart } from "../../state/structure.js";
 import { fading } from "./lines_shader.js";
 import { OutlineLayer } from "./outline_layer.js";
 import { PlaneLayer } from "./plane_layer.js";
+import { ReferenceLayer } from "./reference_layer.js";
 import { release } from "./release.js";
 import { SeeThroughLayer } from "./see_through_layer.js";
 import { SilhouetteLayer } from "./silhouette_layer.js";
@@ -36,6 +37,7 @@ const LOOKS = /** @type {const} */ ([
   "arrows",
   "irregular",
   "structure",
+  "compare",
   "lighting",
   "background",
 ]);
@@ -56,6 +58,7 @@ export class Layers {
   highlight = new HighlightLayer();
   outline = new OutlineLayer();
   seeThrough = new SeeThroughLayer(this.surface.uniforms);
+  reference = new ReferenceLayer();
   gizmo = new Gizmo();
   #painter;
   /** @type {Map<string, string>} */
@@ -78,7 +81,7 @@ export class Layers {
       this.curves.group,
     );
     painter.overlay.add(this.plane.group, this.highlight.group, this.outline.group);
-    painter.veil.add(this.seeThrough.group);
+    painter.veil.add(this.seeThrough.group, this.reference.group);
   }
 
   /** @param {import("../../geometry/records.js").Surface | null} surface */
@@ -130,6 +133,7 @@ export class Layers {
     if (separation?.line_width !== undefined)
       this.edges.width = this.seeThrough.lineWidth = separation.line_width;
     if (status.see_through) this.seeThrough.look(status.see_through);
+    if (status.compare?.reference) this.reference.look(status.compare.reference);
     if (status.arrows) this.arrows.look(status.arrows);
     if (status.lighting?.shade !== undefined) this.surface.shade = status.lighting.shade;
     if (silhouette !== undefined) {
@@ -152,8 +156,20 @@ export class Layers {
 
   /** All that is drawn is within; null where nothing is. */
   get box() {
-    const { surface, silhouette, seeThrough, irregular, arrows, marks, curves, plane, outline } = this;
-    const parts = [surface, silhouette, seeThrough, irregular, arrows, marks, curves, plane, outline];
+    const { surface, silhouette, seeThrough, reference, irregular, arrows, marks, curves, plane, outline } =
+      this;
+    const parts = [
+      surface,
+      silhouette,
+      seeThrough,
+      reference,
+      irregular,
+      arrows,
+      marks,
+      curves,
+      plane,
+      outline,
+    ];
     return around(parts.map(({ box }) => box));
   }
 
@@ -235,7 +251,7 @@ export class Layers {
 
   dispose() {
     const { surface, edges, silhouette, irregular, arrows, marks, curves } = this;
-    const { plane, highlight, outline, seeThrough, gizmo, colours } = this;
+    const { plane, highlight, outline, seeThrough, reference, gizmo, colours } = this;
     for (const layer of [
       surface,
       edges,
@@ -248,6 +264,7 @@ export class Layers {
       highlight,
       outline,
       seeThrough,
+      reference,
       gizmo,
       colours,
     ])
