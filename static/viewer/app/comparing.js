@@ -1,12 +1,10 @@
 import { CoreError, Superseded } from "../core/client.js";
-import { areAlike, pointsIn } from "../state/frames.js";
-import { quantityOf } from "../state/quantity.js";
-import { hasAttribute } from "../state/opening_view.js";
 import { tableCsv } from "../state/compared.js";
 import { comparedOf } from "../state/tables.js";
-import { groupsOf } from "../state/groups.js";
 import { Distances } from "./distances.js";
 import { saveFile } from "./saving.js";
+import { SeenTogether } from "./seen_together.js";
+import { match } from "./matching.js";
 import { fromFile } from "./opening.js";
 
 /**
@@ -16,6 +14,7 @@ import { fromFile } from "./opening.js";
  * @typedef {import("../state/second_store.js").SecondStore} SecondStore
  * @typedef {import("../state/origin.js").Origin} Origin
  * @typedef {Side & { store: SecondStore, close: () => void }} Second
+ * @typedef {() => Promise<import("../state/answers.js").Compared>} TakeSurface
  */
 
 /** What is read of a file that is no mesh: a surface to measure against. */
@@ -24,11 +23,14 @@ const NO_MESH = ["NoCellsError", "MeshReadError"];
 export class Comparing {
   #app;
   #make;
+  #together;
   /** @type {Second | null} */
   #second = null;
-  /** The reference surface, to be taken again when the core was restarted. @type {{ name: string, bytes: Blob } | null} */
+  /** Takes the reference surface, and takes it again when the core was restarted. @type {TakeSurface | null} */
   #surface = null;
   #turn = 0;
+  /** What ends following the first mesh. @type {(() => void)[]} */
+  #stops = [];
   /** Settles when both meshes know of each other. @type {Promise<void>} */
   matched = Promise.resolve();
 
@@ -37,12 +39,9 @@ export class Comparing {
     this.#app = app;
     this.#make = make;
     this.distances = new Distances(app, this);
-    const { store, facts } = app;
+    this.#together = new SeenTogether(app);
+    app.taken = () => this.#unmatch();
     app.opened = () => void this.#match();
-    facts.on("statistics", () => this.#reach());
-    store.on("colour", () => this.#reach());
-    store.on("compare.colours", () => this.#reach());
-    store.on("compare.camera", () => this.#place());
   }
 
   /** The second mesh; null while there is none. */
@@ -63,15 +62,24 @@ export class Comparing {
   async openFiles(files) {
     const [file, ...parts] = files;
     if (!file) return;
-    const ending = /\.[^.]+$/.exec(file.name.replace(/\.gz$/i, ""))?.[0].toLowerCase() ?? "";
+    const companions = async () =>
+      Object.fromEntries(await Promise.all(parts.map(async (one) => [one.name, await one.arrayBuffer()])));
+    await this.#openFrom({ ...fromFile(file), ...(parts.length ? { companions } : {}) }, null);
+  }
+
+  /** Compare with a mesh, or with a surface where its name or its content says so. @param {Origin} origin @param {string | null} address */
+  async #openFrom(origin, address) {
+    const asSurface = async () => {
+      const bytes = await /** @type {NonNullable<Origin["bytes"]>} */ (origin.bytes)(() => {});
+      await this.openSurface(origin.name, new Blob([bytes]));
+      this.#app.steps.beside(address);
+    };
+    const ending = /\.[^.]+$/.exec(origin.name.replace(/\.gz$/i, ""))?.[0].toLowerCase() ?? "";
     const { surfaces, formats } = this.#app.tables;
     const known = (/** @type {readonly import("../state/tables.js").FormatRow[]} */ rows) =>
       rows.some(({ extensions }) => extensions.includes(ending));
-    if (known(surfaces) && !known(formats)) return this.openSurface(file.name, file);
-    const companions = async () =>
-      Object.fromEntries(await Promise.all(parts.map(async (one) => [one.name, await one.arrayBuffer()])));
-    const origin = { ...fromFile(file), ...(parts.length ? { companions } : {}) };
-    await this.#open(origin, null, () => this.openSurface(file.name, file));
+    if (known(surfaces) && !known(formats)) return asSurface();
+    await this.#open(origin, address, asSurface);
   }
 
   /** @param {string} source @param {string} mesh of the catalogue */
@@ -83,14 +91,10 @@ export class Comparing {
     await this.#open(origin, `${source}/${mesh}`);
   }
 
-  /** @param {string} address */
+  /** @param {string} address of a mesh or a surface */
   async openUrl(address) {
-    try {
-      const whole = this.#app.meshAddress(address);
-      await this.#open(this.#app.fetching.from(whole), whole);
-    } catch (error) {
-      if (!(error instanceof Superseded)) throw error;
-    }
+    const whole = this.#app.meshAddress(address);
+    await this.#openFrom(this.#app.fetching.from(whole), whole);
   }
 
   /** Compare with what the core has at hand. @param {string} id */
@@ -103,24 +107,19 @@ export class Comparing {
 
   /** Measure against a surface, which is drawn over the mesh. @param {string} name @param {Blob} file */
   async openSurface(name, file) {
-    await this.#takeSurface(async () => {
-      const told = await this.#app.client.call("compare_with_surface", [name, await file.arrayBuffer()]);
-      this.#surface = { name, bytes: file };
-      return told;
-    });
+    await this.#takeSurface(async () =>
+      this.#app.client.call("compare_with_surface", [name, await file.arrayBuffer()]),
+    );
   }
 
   /** The second mesh, or the surface, goes. */
   close() {
-    const { client, facts, store, look, scene, steps } = this.#app;
+    const { client, facts, store, steps } = this.#app;
     this.#turn++;
     this.#surface = null;
-    this.#second?.close();
-    this.#second = null;
-    facts.set({ comparison: null, second: null });
+    this.#endSecond();
+    facts.set({ comparison: null });
     this.distances.forget();
-    look.derive((status) => status);
-    scene.setBeside(null);
     steps.beside(null);
     const { defaults, status } = store;
     const { by, attribute } = status.colour;
@@ -146,6 +145,14 @@ export class Comparing {
         () => this.#app.drawing.update(),
         () => {}, // the core has ended, and what it compared with it
       );
+  }
+
+  #endSecond() {
+    for (const stop of this.#stops.splice(0)) stop();
+    this.#second?.close();
+    this.#second = null;
+    this.#together.end();
+    this.#app.facts.set({ second: null });
   }
 
   /** Each mesh takes the place of the other. */
@@ -231,67 +238,23 @@ export class Comparing {
 
   /** @param {Second} second */
   #begin(second) {
+    const { facts } = this.#app;
     this.#second = second;
+    second.taken = () => this.#unmatch();
     second.opened = () => void this.#match();
-    second.facts.on("statistics", () => this.#reach());
-    second.facts.on("description", () => this.#know());
-    second.facts.on("summary", () => this.#know());
-    this.#app.facts.on("catalogue", (catalogue) => second.facts.set({ catalogue }));
-    this.#app.facts.on("tool", (tool) => second.facts.set({ tool }));
-    this.#app.facts.set({ second: second.facts });
+    this.#stops = [
+      facts.on("catalogue", (catalogue) => second.facts.set({ catalogue })),
+      facts.on("tool", (tool) => second.facts.set({ tool })),
+    ];
+    this.#together.begin(second);
+    facts.set({ second: second.facts });
   }
 
-  /** What of the status the second mesh has. */
-  #know() {
-    const second = this.#second;
-    const summary = second?.facts.get("summary");
-    if (!second || !summary) return;
-    const told = this.#app.facts.get("comparison");
-    const groups = new Set(groupsOf(second.facts).map(({ id }) => id));
-    second.store.know({
-      same: told?.same_cells ?? false,
-      cells: summary.cells,
-      has: (quantity, components) => this.#has(summary, quantity, components),
-      groups: (id) => groups.has(id),
-    });
-    this.#place();
-  }
-
-  /** @param {import("../state/facts.js").MeshSummary} summary @param {string} quantity @param {number} [components] */
-  #has(summary, quantity, components) {
-    const row = comparedOf(this.#app.tables, quantity);
-    const told = this.#app.facts.get("comparison");
-    if (row) return told !== null && (told.same_cells || !row.cellwise);
-    if (quantity.startsWith("structure:")) return true;
-    return hasAttribute(summary, quantity, components);
-  }
-
-  /** Whether both are seen at the same place, and by which frames. */
-  #place() {
-    const second = this.#second;
-    const [a, b] = [this.#app.facts.get("summary"), second?.facts.get("summary")];
-    if (!second || !a || !b) return;
-    const { camera } = this.#app.store.status.compare;
-    const together = camera === "same" || (camera === "auto" && areAlike(a, b));
-    const [first, other] = [a, b].map(({ outline }) => outline ?? new Float32Array(0));
-    this.#app.scene.setBeside(together ? pointsIn(other, b, a) : null);
-    second.scene.setBeside(together ? pointsIn(first, a, b) : null);
-    second.store.know({ frames: together ? { first: a, second: b } : null });
-    this.#app.facts.set({ together });
-  }
-
-  /** The range of the values of both, where colours are common to them. */
-  #reach() {
-    const second = this.#second;
-    if (!second) return;
-    const { colours } = this.#app.store.status.compare;
-    const { id } = quantityOf(this.#app);
-    const known = [this.#app, second].map(({ facts }) => facts.get("statistics")[id]);
-    const ends = known.flatMap((one) => [one?.min, one?.max]).filter((end) => typeof end === "number");
-    /** @type {[number, number] | null} */
-    const reach = colours === "common" && ends.length === 4 ? [Math.min(...ends), Math.max(...ends)] : null;
-    this.#app.look.derive((status) => ({ ...status, colour: { ...status.colour, reach } }));
-    second.store.know({ reach });
+  /** One of both cores has taken another mesh: neither knows what it is compared with. */
+  #unmatch() {
+    this.#turn++;
+    this.distances.forget();
+    this.#app.facts.set({ comparison: null });
   }
 
   /** Have both cores know of the other's mesh. */
@@ -304,61 +267,35 @@ export class Comparing {
 
   /** @param {number} turn */
   async #matched(turn) {
-    const here = () => turn === this.#turn;
     this.distances.forget();
-    if (this.#surface) {
-      const { name, bytes } = this.#surface;
-      return this.openSurface(name, bytes);
-    }
+    if (this.#surface) return this.#takeSurface(this.#surface);
     const [first, second] = [this.#app, this.#second];
-    if (!second?.facts.get("summary") || !first.facts.get("summary")) return;
-    if (second.facts.get("core") !== "ready" || first.facts.get("core") !== "ready") return;
-    const pairs = /** @type {const} */ ([
-      [first, second, true],
-      [second, first, false],
-    ]);
-    const offered = pairs.map(([, other]) => other.facts.get("offered"));
-    const marks = offered.every((one) => one !== null)
-      ? null
-      : await Promise.all(pairs.map(([side]) => side.client.call("fingerprint")));
-    if (!here()) return;
-    const handed =
-      marks && (await Promise.all(pairs.map(([, other], k) => other.client.call("hand_over", [marks[k]]))));
-    if (!here()) return;
-    const [told] = await Promise.all(
-      pairs.map(([side, , isFirst], k) => {
-        if (!handed) return side.client.call("compare_with_offered", [offered[k] ?? "", isFirst]);
-        const { points, triangles, coordinates, ...rest } = handed[k];
-        const blocks = /** @type {const} */ ([
-          bufferOf(points),
-          bufferOf(triangles),
-          coordinates && bufferOf(coordinates),
-        ]);
-        return side.client.call("compare_with", [rest, ...blocks, isFirst]);
-      }),
+    const there = [first, second].every(
+      (side) => side?.facts.get("summary") && side.facts.get("core") === "ready",
     );
-    if (!here()) return;
+    if (!second || !there) return;
+    const told = await match(first, second, () => turn === this.#turn);
+    if (!told) return;
     first.facts.set({ comparison: told });
-    this.#know();
-    this.#reach();
     await Promise.all([first.drawing.update(), second.drawing.update()]);
   }
 
-  /** @param {() => Promise<import("../state/answers.js").Compared>} take */
+  /** @param {TakeSurface} take */
   async #takeSurface(take) {
     const { facts, messages, store, drawing } = this.#app;
     if (!facts.get("summary"))
       return this.#fail(new Error("Open a mesh first, then what it is compared with"));
     try {
       const told = await take();
-      const surface = this.#surface;
-      if (this.#second) this.close();
-      this.#surface = surface;
+      this.#endSecond();
+      this.#surface = take;
+      this.distances.forget();
       messages.settle("compare");
       facts.set({ comparison: told });
       if (told.surface?.notes.length)
         messages.say("note", told.surface.notes.join(" "), { topic: "compare" });
-      store.set({ compare: { reference: { shown: true } } }, { undo: false });
+      const other = { ...store.defaults.compare.other, name: told.name };
+      store.set({ compare: { other, reference: { shown: true } } }, { undo: false });
       await drawing.update();
     } catch (error) {
       if (!(error instanceof Superseded)) messages.error(error, { topic: "compare" });
@@ -381,9 +318,4 @@ export class Comparing {
       return null;
     }
   }
-}
-
-/** A block of its own. @param {Float64Array | Int32Array} array @returns {ArrayBuffer} */
-function bufferOf(array) {
-  return /** @type {ArrayBuffer} */ (array.slice().buffer);
 }

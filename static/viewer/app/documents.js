@@ -4,6 +4,7 @@ import { plain } from "../state/plain.js";
  * @typedef {import("../state/answers.js").Rejection} Rejection
  * @typedef {import("../state/entry.js").Index} Index
  * @typedef {import("../state/status.js").PartialStatus} PartialStatus
+ * @typedef {NonNullable<PartialStatus["mesh"]>} Identity  of a mesh
  */
 
 /**
@@ -25,11 +26,14 @@ export class Documents {
   async apply(document) {
     const { store, facts } = this.#app;
     const given = plain(document);
-    const { mesh, settings, rejections } = await this.#checked(given);
+    const { mesh, other, settings, rejections } = await this.#checked(given);
     store.seal();
     store.set(settings, {});
     store.seal();
-    if (mesh && !this.#isOpen(mesh)) this.#offer(mesh, given, facts.get("catalogue"));
+    const catalogue = facts.get("catalogue");
+    const { status } = store;
+    if (mesh && !isSame(mesh, status.mesh)) this.#offer(mesh, other, given, catalogue);
+    else if (other?.name && !isSame(other, status.compare.other)) this.#offerBeside(other, catalogue);
     return rejections;
   }
 
@@ -52,10 +56,11 @@ export class Documents {
     const { client, messages } = this.#app;
     await client.ready;
     const { partial, rejections } = await client.call("check", [document]);
-    const { mesh, ...settings } = partial;
+    const { mesh, compare: { other, ...compare } = {}, ...rest } = partial;
+    const settings = Object.keys(compare).length ? { ...rest, compare } : rest;
     messages.settle("status");
     if (rejections.length) messages.say("warning", rejectionsInWords(rejections), { topic: "status" });
-    return { mesh, settings, rejections };
+    return { mesh, other, settings, rejections };
   }
 
   /** The same from text. @param {string} text @param {string} from what the text is, for the message */
@@ -73,24 +78,37 @@ export class Documents {
     return documentText(this.#app.store.status);
   }
 
-  /** @param {NonNullable<PartialStatus["mesh"]>} mesh */
-  #isOpen(mesh) {
-    const open = this.#app.store.status.mesh;
-    return mesh.sha256 && open.sha256
-      ? mesh.sha256 === open.sha256
-      : mesh.name === open.name && mesh.cells === open.cells;
-  }
-
-  /** Offer the mesh that the settings were made with, if the catalogue has it. @param {NonNullable<PartialStatus["mesh"]>} mesh @param {unknown} document @param {Index | null} catalogue */
-  #offer(mesh, document, catalogue) {
+  /** Offer the meshes that the settings were made with, if the catalogue has them. @param {Identity} mesh @param {Identity | undefined} other @param {unknown} document @param {Index | null} catalogue */
+  #offer(mesh, other, document, catalogue) {
     const entry = catalogue?.identified(mesh);
     if (!entry) return;
-    const press = () => this.#app.chooseEntry(entry.source.slug, entry.mesh.slug, document);
-    this.#app.messages.say("note", `These settings were made with ${entry.mesh.name} of the catalogue`, {
+    const beside = other?.name ? catalogue?.identified(other) : null;
+    const press = async () => {
+      await this.#app.chooseEntry(entry.source.slug, entry.mesh.slug, document);
+      if (beside) await this.#app.comparing.openEntry(beside.source.slug, beside.mesh.slug).catch(() => {}); // said in a message
+    };
+    const names = beside ? `${entry.mesh.name} and ${beside.mesh.name}` : entry.mesh.name;
+    this.#app.messages.say("note", `These settings were made with ${names} of the catalogue`, {
       topic: "offer",
-      action: { name: "open it", press },
+      action: { name: beside ? "open them" : "open it", press },
     });
   }
+
+  /** The same of a second mesh alone. @param {Identity} other @param {Index | null} catalogue */
+  #offerBeside(other, catalogue) {
+    const entry = catalogue?.identified(other);
+    if (!entry) return;
+    const press = () => this.#app.comparing.openEntry(entry.source.slug, entry.mesh.slug).catch(() => {}); // said in a message
+    const text = `These settings were made in a comparison with ${entry.mesh.name} of the catalogue`;
+    this.#app.messages.say("note", text, { topic: "offer", action: { name: "open it beside", press } });
+  }
+}
+
+/** Whether it is the mesh that is open. @param {Identity} mesh @param {import("../state/status.js").Status["mesh"]} open */
+function isSame(mesh, open) {
+  return mesh.sha256 && open.sha256
+    ? mesh.sha256 === open.sha256
+    : mesh.name === open.name && mesh.cells === open.cells;
 }
 
 /**

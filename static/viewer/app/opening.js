@@ -157,6 +157,7 @@ export class Opening {
       ? client.call("open_offered", [/** @type {string} */ (origin.offered)], options)
       : client.call("open", companions ? [origin.name, bytes, companions] : [origin.name, bytes], options));
     this.#held = origin;
+    this.#app.taken();
     origin.sha256 = origin.entry?.mesh.sha256 ?? "";
     this.identified = client.identity.then((identity) => this.#identify(origin, identity));
     return summary;

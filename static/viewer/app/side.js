@@ -101,6 +101,9 @@ export class Side {
     return false;
   }
 
+  /** The core has taken a mesh: what it was told of others is gone. @type {() => void} */
+  taken = () => {};
+
   /** The core holds the mesh that is on the screen: another than before, or the same once more. @type {() => void} */
   opened = () => {};
 

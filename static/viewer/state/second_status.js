@@ -1,4 +1,5 @@
 import { cameraIn } from "./frames.js";
+import { asFarAsKnown, withReach } from "./known_quantities.js";
 
 /**
  * What a second mesh makes of the one status: all settings are those of the first, but what it has not got, and what counts
@@ -22,18 +23,22 @@ const NONE = [];
 
 /** @param {Status} status of the first @param {Second} second @returns {Status} */
 export function secondStatus(status, { same, cells, has, groups, frames, reach }) {
-  const { compare, filters, colour, arrows, marks, structure, camera } = status;
+  const { compare, filters, marks, structure, camera } = status;
   const below = (/** @type {readonly number[]} */ list) => list.filter((cell) => cell < cells);
   const { isolated, hidden, shown } = compare.picking;
-  const known = colour.by !== "attribute" || has(colour.attribute);
   const ownGroups = filters.groups.shown.filter(groups);
-  return {
+  const own = {
     ...status,
     mesh: compare.other,
     camera: frames ? cameraIn(camera, frames.first, frames.second) : camera,
-    colour: { ...colour, ...(known ? { reach: reach && [...reach] } : { by: "sides", attribute: "" }) },
-    arrows: !arrows.attribute || has(arrows.attribute, 3) ? arrows : { ...arrows, attribute: "" },
-    marks: same ? marks : { ...marks, hidden: marks.hidden.filter(groups), nodes: marks.nodes.filter(groups), interfaces: "" },
+    marks: same
+      ? marks
+      : {
+          ...marks,
+          hidden: marks.hidden.filter(groups),
+          nodes: marks.nodes.filter(groups),
+          interfaces: "",
+        },
     structure: same ? structure : { ...structure, chosen: NONE },
     filters: {
       ...filters,
@@ -46,13 +51,12 @@ export function secondStatus(status, { same, cells, has, groups, frames, reach }
         shown: ownGroups,
         isolated: filters.groups.isolated && ownGroups.length > 0,
       },
-      structure: same ? filters.structure : { ...filters.structure, blocks: NONE, sheets: NONE, chords: NONE },
-      quality: {
-        ...filters.quality,
-        items: filters.quality.items.filter(({ quantity }) => !quantity.includes(":") || has(quantity)),
-      },
+      structure: same
+        ? filters.structure
+        : { ...filters.structure, blocks: NONE, sheets: NONE, chords: NONE },
     },
-  }; // prettier-ignore
+  };
+  return withReach(asFarAsKnown(own, has), reach);
 }
 
 /**
