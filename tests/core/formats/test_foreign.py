@@ -51,7 +51,9 @@ def test_R6_it_is_named(name: str) -> None:
 @pytest.mark.parametrize("name", [name for name in SAMPLES if "surface" in name or "PLY" in name])
 def test_R6_a_surface_can_be_opened_as_a_reference(name: str) -> None:
     file, data = SAMPLES[name]
-    with pytest.raises(MeshReadError, match=r"as a reference to measure a mesh against; expected a volumetric mesh"):
+    with pytest.raises(
+        MeshReadError, match=r"as a reference to measure a mesh against; expected a volumetric mesh"
+    ):
         read_bytes(data, file)
 
 
