@@ -53,7 +53,7 @@ FACES = {
 PLANE = r"(?:S|M3D|R3D|SFM3D|DS|CPS|CPE|CPEG|CAX|DC2D|AC2D)"
 
 LOWER = (
-    (1, 2, re.compile(r"(?:T[23]D|RB?[23]D)([23])[A-Z]*"), {"2": 2, "3": 3}),
+    (1, 2, re.compile(r"(?:T[23]D|RB[23]D|R2D)([23])[A-Z]*"), {"2": 2, "3": 3}),
     (1, 2, re.compile(r"(?:B[23]|PIPE[23])([123])[A-Z]*"), {"1": 2, "2": 3, "3": 2}),
     (2, 3, re.compile(PLANE + r"([36])[A-Z]*"), {"3": 3, "6": 6}),
     (2, 3, re.compile(r"STRI(3|65)"), {"3": 3, "65": 6}),

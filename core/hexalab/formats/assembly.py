@@ -154,13 +154,14 @@ class Assembly:
 
     def no_cells(self, coordinates: Floats) -> NoCellsError:
         """The error for a file without volumetric cells, with its vertices and features."""
+        others = [f"Left out, as they are no faces: {self.counts_left_out()}."] if self.left_out else []
         message = self.nothing_to_show()
         return NoCellsError(
             message,
             file=self.file.name,
             coordinates=coordinates,
             features=joined_features(self.features, coordinates.shape[1], self.note),
-            notes=self.notes,
+            notes=self.notes + others,
             format=self.format_id,
         )
 

@@ -2,8 +2,8 @@
 
 A quadrilateral is cut along its shorter diagonal, and where both have one length along the one through its smallest
 vertex id: so its triangles do not depend on the corner that it begins with, nor on the side that it is seen from.
-VTK's vtkTriangleFilter takes the shorter diagonal too (where both have one length it goes by the corner). Polygons of
-more corners are cut as fans from their first corner.
+VTK's vtkTriangleFilter takes the shorter diagonal too; where both have one length it goes by the corner, and where a
+corner is reflex it may take the longer one. Polygons of more corners are cut as fans from their first corner.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ def triangles_of(points: Floats, ids: Array, starts: Array | range, sizes: Array
     """
     scale = scale_of(points)
     begins = np.arange(starts.start, starts.stop, starts.step) if isinstance(starts, range) else starts
-    counts = np.asarray(sizes).astype(np.int64) - 2
+    counts = np.asarray(sizes).astype(np.intp) - 2
     out = np.empty((3, int(counts.sum())), np.int32)
     done = 0
     for start in range(0, len(counts), CHUNK):

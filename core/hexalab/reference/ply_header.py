@@ -92,7 +92,7 @@ def header_of(file: File) -> Header:
     newline = rb"\r" if start[1] == b"\r" else rb"\r?\n"
     end = re.compile(rb"(?<=[\r\n])end_header[ \t]*" + newline).search(file.data, start.end())
     if not end:
-        raise file.error("the file has no line end_header: it is cut short", line_at=len(file.data))
+        raise file.error("the file has no line end_header: it is cut short", line_at=len(file.data.rstrip()))
     order: str | None = None
     elements: list[tuple[str, int, list[Property]]] = []
     for line in re.compile(rb"[^\r\n]+").finditer(file.data, start.end(), end.start()):

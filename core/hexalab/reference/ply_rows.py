@@ -125,7 +125,7 @@ def gathered(data: bytes, dtype: np.dtype[np.generic], places: Array, counts: Ar
     out = np.empty(int(counts.sum()), np.int32)
     for first in range(0, len(counts), CHUNK):
         part = slice(first, first + CHUNK)
-        own = counts[part]
+        own = counts[part].astype(np.intp)
         within = np.arange(int(own.sum())) - np.repeat(starts[part] - starts[first], own)
         found = numbers[np.repeat(places[part], own) + dtype.itemsize * within]
         begin = int(starts[first])

@@ -71,7 +71,7 @@ REFERENCE_FORMATS: tuple[ReferenceFormat, ...] = (
         (),
         re.compile(
             START
-            + rb"#\s*vtk\s+DataFile[^\r\n]*(?:\r?\n[^\r\n]*){1,4}?\s(?:ASCII|BINARY)\s+DATASET\s+POLYDATA\b",
+            + rb"#\s*vtk\s+DataFile[^\r\n]*(?:\r?\n[^\r\n]*){1,4}?\s+(?:ASCII|BINARY)\s+DATASET\s+POLYDATA\b",
             re.I,
         ),
         "vtk_polydata",

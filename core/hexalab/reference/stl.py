@@ -109,7 +109,8 @@ def read_text(file: File) -> TriangleSurface:
 def check_end(text: Text, facets: int, vertices: int, notes: list[str]) -> None:
     """Raise MeshReadError if the file ends within a facet; note it if it does not end with `endsolid`."""
     end = len(text.data.rstrip())
-    last = re.split(rb"[\r\n]", text.data[max(0, end - LOOKED_AT) : end])[-1].split()[0].lower()
+    begin = max(text.data.rfind(b"\n", 0, end), text.data.rfind(b"\r", 0, end)) + 1
+    last = text.data[begin : begin + LOOKED_AT].split()[0].lower()
     if vertices != 3 * facets or last in IN_FACET:
         have = vertices - 3 * (facets - 1)
         raise text.error(

@@ -17,7 +17,7 @@ def cut_strips(ids: Array, starts: Array | range, sizes: Array, error_at: ErrorA
     >>> cut_strips(np.array([5, 6, 7, 8]), range(0, 4, 4), np.array([4]), None).ids.reshape(-1, 3).tolist()
     [[5, 6, 7], [7, 6, 8]]
     """
-    counts = np.maximum(np.asarray(sizes).astype(np.int64) - 2, 0)
+    counts = np.maximum(np.asarray(sizes).astype(np.intp) - 2, 0)
     within = np.arange(int(counts.sum())) - np.repeat(np.cumsum(counts) - counts, counts)
     first = np.repeat(np.asarray(starts), counts) + within
     odd = within % 2

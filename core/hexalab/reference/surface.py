@@ -179,8 +179,8 @@ def boundary_of(mesh: Mesh) -> TriangleSurface:
     """The boundary of a volumetric mesh.
 
     Its faces look outwards, as the cells' corners are numbered: of an inverted mesh they look inwards. A quadrilateral
-    is cut along its shorter diagonal, as VTK's vtkTriangleFilter does; see `hexalab.reference.cutting`. A cell that
-    repeats another counts once, as it is drawn once: the two would else take each other's faces from the boundary.
+    is cut along its shorter diagonal, as VTK's vtkTriangleFilter does if it is convex (`hexalab.reference.cutting`). A
+    cell that repeats another counts once, as it is drawn once: the two would else take each other's faces away.
 
     Parameters
     ----------
