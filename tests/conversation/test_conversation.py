@@ -269,6 +269,10 @@ def talk_of_two(say: Callable[..., Any], attributed: bytes) -> None:
         say("compare_with_offered", "none")
     square = "OFF\n4 1 0\n0 0 3\n3 0 3\n3 2 3\n0 2 3\n4 0 1 2 3\n"
     assert say("compare_with_surface", "square.off", square.encode())["surface"]["triangles"] == 2
+    facet = ["facet", "outer loop", *["vertex 0 0 3", "vertex 3 0 3", "vertex 3 2 3"], "endloop", "endfacet"]
+    solid = "\n".join(["solid a", *facet, "endsolid a", ""])
+    assert say("compare_with_surface", "one.stl", solid.encode())["surface"]["triangles"] == 1
+    say("compare_with_surface", "square.off", square.encode())
     say("measure_distance", True)
     both = say("distance_facts", True)
     assert (both["there"]["max"], both["back"]["max"], both["back"]["vertices"]) == (3, 2, 4)
