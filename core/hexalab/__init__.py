@@ -13,6 +13,7 @@ from typing import Any, BinaryIO
 from . import formats
 from .cell_lists import LIST_FORMS, cell_list
 from .cells import KINDS
+from .comparison import compare
 from .diagnosis import Finding, diagnose, turn_round
 from .errors import HexaLabError, MeshReadError, MeshWriteError
 from .formats import FORMATS, WRITERS, write
@@ -21,6 +22,7 @@ from .groups import Features, Group
 from .mesh import Mesh
 from .numbering import cell_numbers, cells_numbered, vertex_numbers, vertices_numbered
 from .quality import METRICS, Metric, Validity, certify, histogram, quality, quality_many, statistics
+from .reference import TriangleSurface, read_reference
 from .selection import select_cells
 from .structure import Structure, structure
 from .summary import summarise
@@ -42,17 +44,20 @@ __all__ = [
     "MeshWriteError",
     "Metric",
     "Structure",
+    "TriangleSurface",
     "Validity",
     "cell_list",
     "cell_numbers",
     "cells_numbered",
     "certify",
+    "compare",
     "diagnose",
     "groups_of",
     "histogram",
     "quality",
     "quality_many",
     "read",
+    "read_reference",
     "select_cells",
     "show",
     "statistics",
@@ -86,7 +91,7 @@ def read(file: str | os.PathLike[str] | BinaryIO) -> Mesh:
     return turn_round(formats.read(file))
 
 
-def show(mesh: Any, status: dict[str, Any] | None = None, *, height: int = 520) -> Any:
+def show(mesh: Any, status: dict[str, Any] | None = None, *, compare: Any = None, height: int = 520) -> Any:
     """Show a mesh in a notebook: Jupyter, VS Code, Colab, marimo.
 
     Parameters
@@ -95,6 +100,8 @@ def show(mesh: Any, status: dict[str, Any] | None = None, *, height: int = 520) 
         Of arrays: (V, 3) coordinates and (C, 8) vertices of hexahedra.
     status : dict, optional
         Settings, whole or in part.
+    compare : Mesh, TriangleSurface, path, ..., optional
+        Another mesh, shown beside it, or a surface that it is measured against.
     height : int
         Of the view, in pixels.
 
@@ -117,4 +124,6 @@ def show(mesh: Any, status: dict[str, Any] | None = None, *, height: int = 520) 
         view = import_module("hexalab.hosts.notebook.widget").View
     except ModuleNotFoundError as error:
         raise ImportError(f"show needs the package {error.name}: pip install 'hexalab[notebook]'") from None
-    return view(import_module("hexalab.hosts.notebook.meshes").offer_of(mesh), status, height)
+    meshes = import_module("hexalab.hosts.notebook.meshes")
+    other = None if compare is None else meshes.counterpart_of(compare)
+    return view(meshes.offer_of(mesh), status, height, other)

@@ -9,11 +9,9 @@ from pathlib import Path
 from typing import Any
 
 from .. import METRICS, read, write
-from ..comparison import compare, with_comparison
-from ..errors import HexaLabError, MeshReadError, NoCellsError
+from ..comparison import compare, read_body, with_comparison
+from ..errors import HexaLabError
 from ..formats import writer_of
-from ..mesh import Mesh
-from ..reference import TriangleSurface, is_surface, read_reference
 from ..report.comparison_criteria import KINDS, judged
 from ..report.criteria import read_criteria
 from ..report.judging import PASSED
@@ -21,9 +19,6 @@ from ..words import count, counted, number, titled
 from . import FINDING
 from .tables import table
 from .units import add_unit
-
-HEAD = 8192
-"""Bytes by which a surface is told from a mesh."""
 
 CELLS_SHOWN = 5
 
@@ -73,7 +68,7 @@ def run(arguments: Namespace) -> int:
     if lacking:
         raise HexaLabError(f"{arguments.criteria}: asks for {lacking[0]}, which --metric leaves out")
     writer = writer_of(arguments.out, None) if arguments.out else None
-    first, second = read(arguments.first), body_of(arguments.second)
+    first, second = read(arguments.first), read_body(arguments.second)
     facts = compare(first, second, metrics)
     facts["a"]["file"], facts["b"]["file"] = str(arguments.first), str(arguments.second)
     if criteria:
@@ -91,27 +86,6 @@ def run(arguments: Namespace) -> int:
         if check["state"] != PASSED:
             print(f"hexalab: {check['state']}: {check['title']}: {check['found']}", file=sys.stderr)
     return 0 if facts["verdict"]["passed"] else FINDING
-
-
-def body_of(path: Path) -> Mesh | TriangleSurface:
-    """Read a mesh; or a surface, where it has no volumetric cells.
-
-    Raises
-    ------
-    MeshReadError
-        It is neither.
-    """
-    try:
-        with open(path, "rb") as file:
-            head = file.read(HEAD)
-    except OSError as error:
-        raise MeshReadError(f"the file can't be read: {error.strerror or error}", file=str(path)) from None
-    if is_surface(head, path.name):
-        return read_reference(path)
-    try:
-        return read(path)
-    except NoCellsError:
-        return read_reference(path)
 
 
 def described(facts: dict[str, Any], unit: str) -> str:

@@ -1,5 +1,6 @@
 """Two meshes beside each other, or a mesh and a reference surface: distances, changes of metrics (SPEC S6, S7)."""
 
+from .bodies import holds_surface, read_body
 from .cell_data import with_comparison
 from .connectivity import difference_in_cells, fingerprint
 from .counterpart import Counterpart, change_of, counterpart_of, moved
@@ -39,8 +40,10 @@ __all__ = [
     "displacement_facts",
     "fingerprint",
     "frames_of",
+    "holds_surface",
     "largest_of_corners",
     "moved",
+    "read_body",
     "squared_distances",
     "surface_distances",
     "surface_facts",

@@ -12,12 +12,14 @@ from typing import Any
 
 import numpy as np
 
+from ...comparison import read_body
 from ...errors import HexaLabError
 from ...formats import read
 from ...formats.group_arrays import MARK
 from ...mesh import Mesh
+from ...reference import TriangleSurface
 from ...session import prepared
-from ..offers import FileOffer, Offer
+from ..offers import AnyOffer, FileOffer, Offer, SurfaceOffer
 
 HEXAHEDRON = 8
 
@@ -40,6 +42,25 @@ class MeshOffer:
     def hasher(self) -> Callable[[], str]:
         """It was read from no file."""
         return str
+
+    def size(self) -> None:
+        """It was read from no file."""
+
+
+class KnownSurface(SurfaceOffer):
+    """A reference surface that is in memory already."""
+
+    def __init__(self, given: TriangleSurface) -> None:
+        super().__init__(Path(), given.name or "surface")
+        self._given = given
+
+    def surface(self) -> TriangleSurface:
+        """The surface."""
+        return self._given
+
+    def sha256(self) -> str:
+        """It was read from no file."""
+        return ""
 
     def size(self) -> None:
         """It was read from no file."""
@@ -79,6 +100,13 @@ def offer_of(thing: Any) -> Offer:
         f"found {type(thing).__module__}.{type(thing).__qualname__}, expected a Mesh, a path, a mesh of meshio or "
         "PyVista, or arrays (points, cells)"
     )
+
+
+def counterpart_of(thing: Any) -> AnyOffer:
+    """Make whatever a mesh is to be compared with an offer: as `offer_of`, or a reference surface, or a path to one."""
+    if isinstance(thing, str | os.PathLike):
+        thing = read_body(thing)
+    return KnownSurface(thing) if isinstance(thing, TriangleSurface) else offer_of(thing)
 
 
 def _with_sets(mesh: Any) -> Any:
