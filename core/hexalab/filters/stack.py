@@ -57,6 +57,8 @@ class FilterStack:
         Gives the mesh's structure, if it is known already; it is traced here by default.
     lost : callable, str to float, optional
         What a cell without a value of a quantity that is no metric counts as; see `filters.quality.band`.
+    signed : callable, str to bool, optional
+        Whether a quantity is a change: then a band that ends at 0 leaves out what has not changed.
 
     Examples
     --------
@@ -72,11 +74,13 @@ class FilterStack:
         members: Callable[[str], Ids] | None = None,
         structure: Callable[[], Structure] | None = None,
         lost: Callable[[str], float] = lambda quantity: np.nan,
+        signed: Callable[[str], bool] = lambda quantity: False,
     ) -> None:
         self._mesh = mesh
         self._structure = structure or cache(lambda: Structure(mesh))
         self._members = members
         self._lost = lost
+        self._signed = signed
         self._topology = topology or mesh.topology
         self._values = values
         self._places: OrderedDict[Hashable, Places] = OrderedDict()
@@ -197,7 +201,10 @@ class FilterStack:
         hidden = np.zeros(self._mesh.cell_count, dtype=bool)
         for quantity, keep, minimum, maximum in bands:
             worst = METRICS[quantity].worst if quantity in METRICS else self._lost(quantity)
-            hidden |= band(self._values(quantity), keep, minimum, maximum, worst)
+            values = self._values(quantity)
+            hidden |= band(values, keep, minimum, maximum, worst)
+            if 0 in (minimum, maximum) and self._signed(quantity):
+                hidden |= values == 0
         return hidden
 
     def _in_hidden_parts(self, isolated: bool, hidden: tuple[int, ...], shown: tuple[int, ...]) -> Hidden:

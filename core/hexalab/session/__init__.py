@@ -29,7 +29,7 @@ from ..reference import TriangleSurface
 from . import going, inspection, known, measuring, shown_cells
 from .comparing import Comparing
 from .opened import DESCRIBED, Opened
-from .picture import Picture, quantity_of
+from .picture import Picture, looked_at, quantity_of
 from .preparing import prepared
 from .preview import preview_of
 from .tracing import Tracing
@@ -311,9 +311,8 @@ class Session(Tracing, Comparing):
         """Count the values of a metric or an attribute in bins; see `measuring.histogram_of`."""
         opened = self._open_mesh()
         colour = self._settings["colour"]
-        limits, reach = (
-            (colour["range"], colour["reach"]) if quantity_of(colour) == quantity else (None, None)
-        )
+        limits = colour["range"] if quantity_of(colour) == quantity else None
+        reach = colour["reach"] if looked_at(colour) == quantity else None
         shown = self._drawn().shown if shown_only else None
         return measuring.histogram_of(opened, quantity, int(bins), shown, limits, reach)
 

@@ -160,7 +160,13 @@ class Opened:
         """The filters, with what they keep between two settings."""
         topology, members = self.drawn_mesh.topology, self.groups.members
         return FilterStack(
-            self.mesh, self.values, topology, members, lambda: self.traced.structure, self._lost
+            self.mesh,
+            self.values,
+            topology,
+            members,
+            lambda: self.traced.structure,
+            self._lost,
+            lambda quantity: quantity in COMPARED and COMPARED[quantity].metric != "",
         )
 
     @staticmethod

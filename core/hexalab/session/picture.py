@@ -318,6 +318,12 @@ def quantity_of(colour: Settings) -> str | None:
     }.get(by)
 
 
+def looked_at(colour: Settings) -> str:
+    """Return the metric or attribute that is plotted: what cells are coloured by, or would be."""
+    by_attribute = colour["by"] == "attribute" and colour["attribute"]
+    return str(colour["attribute"] if by_attribute else colour["metric"])
+
+
 def _size(separation: Settings) -> float | None:
     """Return the number that the mode's geometry depends on."""
     name = {"fissure": "gap", "rounded": "radius"}.get(separation["mode"])

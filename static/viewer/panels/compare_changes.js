@@ -55,11 +55,11 @@ export function compareChanges(context) {
     const { id, better } = metricAtHand(context);
     const quantity = `change:${id}`;
     const others = store.status.filters.quality.items.filter((item) => item.quantity !== quantity);
-    // Of 0, no change, nothing is kept: so the band is what is outside of it.
-    const [minimum, maximum] = better === "high" ? [0, null] : [null, 0];
+    // A band of changes that ends at 0 leaves out what has not changed.
+    const [minimum, maximum] = better === "high" ? [null, 0] : [0, null];
     const items = bandOf(quantity)
       ? others
-      : [...others, { quantity, keep: /** @type {const} */ ("outside"), minimum, maximum }];
+      : [...others, { quantity, keep: /** @type {const} */ ("inside"), minimum, maximum }];
     store.seal();
     store.set({ filters: { quality: { enabled: true, items } } });
   }
