@@ -74,7 +74,7 @@ def compare(a: Mesh, b: Mesh | TriangleSurface, metrics: Iterable[str] = METRICS
 def surface_facts(surface: TriangleSurface) -> dict[str, Any]:
     """Collect the facts of a reference surface.
 
-    They are `file`, `format`, `vertices`, `triangles`, `area`, `volume`
+    They are `file`, `format`, `vertices`, `triangles`, `extent`, `area`, `volume`
     (that it encloses; None if it is not closed), `closed`, `notes`.
     """
     return {
@@ -82,6 +82,7 @@ def surface_facts(surface: TriangleSurface) -> dict[str, Any]:
         "format": surface.format,
         "vertices": len(surface.vertices_used),
         "triangles": surface.count,
+        "extent": surface.extent.tolist(),
         "area": surface.area,
         "volume": volume_of(surface),
         "closed": surface.closed,

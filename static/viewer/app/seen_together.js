@@ -1,9 +1,13 @@
-import { areAlike, pointsIn } from "../state/frames.js";
+import { boxOf, cornersOf } from "../geometry/box.js";
+import { areAlike, areNear, frameOfBox, placeIn, pointsIn } from "../state/frames.js";
 import { groupsOf } from "../state/groups.js";
 import { asFarAsKnown, withReach } from "../state/known_quantities.js";
 import { hasAttribute } from "../state/opening_view.js";
 import { quantityOf } from "../state/quantity.js";
 import { comparedOf, tracedOf } from "../state/tables.js";
+
+/** The file's own coordinates. */
+const WHOLE = { centre: [0, 0, 0], diagonal: 1 };
 
 /**
  * How two meshes are seen under one status: what of it each has, whether both stand at the same place, the range of their
@@ -11,6 +15,7 @@ import { comparedOf, tracedOf } from "../state/tables.js";
  *
  * @typedef {import("./comparing.js").Second} Second
  */
+
 export class SeenTogether {
   #app;
   /** @type {Second | null} */
@@ -26,6 +31,7 @@ export class SeenTogether {
     facts.on("comparison", () => {
       look.renew();
       this.#know();
+      this.#place();
     });
     facts.on("summary", () => this.#place());
     facts.on("statistics", () => this.#reach());
@@ -76,11 +82,12 @@ export class SeenTogether {
     return !row || (told !== null && (told.same_cells || !row.cellwise));
   };
 
-  /** Whether both are seen at the same place, and by which frames. */
+  /** Whether both are seen at the same place, and by which frames; a reference surface is, if that leaves the mesh to be seen. */
   #place() {
     const second = this.#second;
     const [a, b] = [this.#app.facts.get("summary"), second?.facts.get("summary")];
-    if (!second || !a || !b) return;
+    if (!second) return this.#placeSurface();
+    if (!a || !b) return;
     const { camera } = this.#app.store.status.compare;
     const together = camera === "same" || (camera === "auto" && areAlike(a, b));
     const [first, other] = [a, b].map(({ outline }) => outline ?? new Float32Array(0));
@@ -88,6 +95,19 @@ export class SeenTogether {
     second.scene.setBeside(together ? pointsIn(first, a, b) : null);
     second.store.know({ frames: together ? { first: a, second: b } : null });
     this.#app.facts.set({ together });
+  }
+
+  #placeSurface() {
+    const { facts, scene, store } = this.#app;
+    const summary = facts.get("summary");
+    const extent = facts.get("comparison")?.surface?.extent;
+    const { camera } = store.status.compare;
+    if (!summary) return;
+    const together =
+      extent &&
+      (camera === "same" || (camera === "auto" && areNear(summary, frameOfBox(extent)))) &&
+      boxOf(Float32Array.from(extent.flatMap((end) => placeIn(end, WHOLE, summary))));
+    scene.setBeside(together ? Float32Array.from(cornersOf(together)) : null);
   }
 
   /** The range of the values of both, where colours are common to them. */

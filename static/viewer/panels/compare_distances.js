@@ -30,7 +30,7 @@ export function compareDistances(context) {
     h(
       "thead",
       {},
-      h("tr", {}, h("th"), h("th", { scope: "col" }, "A to B"), h("th", { scope: "col" }, "B to A")),
+      h("tr", {}, h("td"), h("th", { scope: "col" }, "A to B"), h("th", { scope: "col" }, "B to A")),
     ),
     body,
   );

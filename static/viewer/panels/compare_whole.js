@@ -43,7 +43,7 @@ export function compareWhole(context) {
     "table",
     { class: "table compare-table" },
     h("caption", { class: "visually-hidden" }, "Counts, findings and structure of both meshes"),
-    h("thead", {}, h("tr", {}, h("th"), h("th", { scope: "col" }, "A"), h("th", { scope: "col" }, "B"))),
+    h("thead", {}, h("tr", {}, h("td"), h("th", { scope: "col" }, "A"), h("th", { scope: "col" }, "B"))),
     body,
   );
   const trace = h(

@@ -354,6 +354,7 @@
  * @property {string} format
  * @property {number} vertices
  * @property {number} triangles
+ * @property {[Point, Point]} extent
  * @property {number} area
  * @property {number | null} volume that it encloses, if it is closed
  * @property {boolean} closed

@@ -15,6 +15,24 @@ export function areAlike(a, b) {
   return apart < NEARLY * a.diagonal && Math.abs(b.diagonal / a.diagonal - 1) < NEARLY;
 }
 
+/** Part of a diagonal by which bodies may be apart that are seen in one picture. */
+const NEAR = 2;
+
+/** Whether one picture can show both bodies: neither is far from the other, or very small beside it. @param {Frame} a @param {Frame} b */
+export function areNear(a, b) {
+  const apart = Math.hypot(...a.centre.map((place, axis) => place - b.centre[axis]));
+  const [small, large] = [a.diagonal, b.diagonal].sort((one, other) => one - other);
+  return apart < NEAR * large && large < 2 * NEAR * small;
+}
+
+/** The frame of a box, and its corners in drawing coordinates of another. @param {readonly (readonly number[])[]} extent two corners @returns {Frame} */
+export function frameOfBox([low, high]) {
+  return {
+    centre: low.map((end, axis) => (end + high[axis]) / 2),
+    diagonal: Math.hypot(...low.map((end, axis) => high[axis] - end)) || 1,
+  };
+}
+
 /** A place in the drawing coordinates of another frame. @param {readonly number[]} place @param {Frame} from @param {Frame} to @returns {Vector} */
 export function placeIn(place, from, to) {
   const [x, y, z] = [0, 1, 2].map(
