@@ -114,11 +114,11 @@ def _figures(recipes: Mapping[str, Recipe], prefix: str, here: Mapping[str, Mesh
             f"{prefix}{name}.png",
             recipe.title,
             recipe.sentence,
-            _shot(recipe, here[recipe.mesh]),
+            _shot(recipe, here[recipe.mesh], here.get(recipe.beside)),
             recipe.settings,
         )
         for name, recipe in recipes.items()
-        if recipe.mesh in here
+        if recipe.mesh in here and (not recipe.beside or recipe.beside in here)
     }
 
 
@@ -138,7 +138,7 @@ def told_of(status: Status) -> Status:
     return {name: status[name] for name in TOLD if name in status}
 
 
-def _shot(recipe: Recipe, mesh: MeshEntry) -> Shot:
+def _shot(recipe: Recipe, mesh: MeshEntry, beside: MeshEntry | None) -> Shot:
     status = recipe.status(view_of(mesh.facts))
     width, height = recipe.size
-    return Shot(mesh, status, width, height, part=recipe.part, press=recipe.press)
+    return Shot(mesh, status, width, height, recipe.part, recipe.press, beside)

@@ -36,6 +36,13 @@ FIGURES = {
     "histogram": Recipe(NOISY, setting=BY_QUALITY, part="#section-quality"),
     "diagnosis": Recipe("faults/negative-volume", part="#section-mesh", offset=0),
     "inspector": Recipe("structures/valence-8", setting=BY_QUALITY, part=".inspector", press="#canvas"),
+    "compare": Recipe(
+        "layouts/winding-walls",
+        {"compare": {"layout": "beside"}, "colour": {"by": "quality", "metric": "volume"}},
+        ROUNDED,
+        part="#view",
+        beside="layouts/straight-walls",
+    ),
     "sharing": Recipe("shapes/bracket", setting=ROUNDED, offset=0.35),
 }
 """What the guide shows, by the anchor of its section."""

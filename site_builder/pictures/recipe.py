@@ -27,6 +27,8 @@ class Recipe:
         How far the plane of the three-quarter view has gone in: 0 hides nothing.
     part, press : str
         As in `Shot`.
+    beside : str
+        ``source/mesh`` of the one that it is compared with; "" for none.
     size : (int, int)
         Width and height in pixels.
     """
@@ -39,6 +41,7 @@ class Recipe:
     offset: float = 0.5
     part: str = ""
     press: str = ""
+    beside: str = ""
     size: tuple[int, int] = (WIDTH, HEIGHT)
 
     def status(self, view: View) -> Status:

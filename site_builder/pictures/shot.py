@@ -38,6 +38,8 @@ class Shot:
         Selector of a part of the viewer's page to photograph instead of the drawing; "body" for the whole window.
     press : str
         Selector of what is clicked before.
+    beside : MeshEntry, optional
+        The mesh that it is compared with.
     """
 
     mesh: MeshEntry
@@ -46,6 +48,7 @@ class Shot:
     height: int = HEIGHT
     part: str = ""
     press: str = ""
+    beside: MeshEntry | None = None
 
     @property
     def key(self) -> str:
@@ -59,14 +62,15 @@ class Shot:
             self.width,
             self.height,
             self.part,
-            *filter(None, [self.press]),
+            *filter(None, [self.press, self.beside and self.beside.sha256]),
         ]
         return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()[:32]
 
     @property
     def address(self) -> str:
         """Address below the site's root that opens the mesh under this status in the viewer."""
-        return f"viewer/index.html?mesh={self.mesh.id}#status={packed(self.status)}"
+        beside = f"&with={self.beside.id}" if self.beside else ""
+        return f"viewer/index.html?mesh={self.mesh.id}{beside}#status={packed(self.status)}"
 
     @property
     def text(self) -> str:

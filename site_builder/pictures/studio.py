@@ -37,6 +37,17 @@ Progress = Callable[[str, float], None]
 """Called with what is being done, and how much of all pictures is done: 0 to 1."""
 
 
+COMPARE = """async ({ mesh }) => {
+  try {
+    await window.hexalab.compare(mesh);
+    await window.hexalab.settled();
+    return {};
+  } catch (error) {
+    return { failed: error.message ?? String(error) };
+  }
+}"""
+
+
 class Studio(Viewer):
     """The viewer of a built site, ready to take shots of its own meshes.
 
@@ -72,6 +83,16 @@ class Studio(Viewer):
         rejections = self.show_named(name, status=status)["rejections"]
         if rejections:
             raise RenderError(f"the status of a picture of {name} is wrong: {rejections}")
+        if shot.beside:
+            self.answer(COMPARE, {"mesh": shot.beside.id}, shot.beside.id)
+        try:
+            return self._picture(shot)
+        finally:
+            if shot.beside:
+                self.page.evaluate("() => window.hexalab.endComparison()")
+
+    def _picture(self, shot: Shot) -> bytes:
+        name = shot.mesh.id
         if shot.part:
             return self._photograph(shot)
         if "figure" in shot.status:

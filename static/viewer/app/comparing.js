@@ -28,6 +28,8 @@ export class Comparing {
   #second = null;
   /** Takes the reference surface, and takes it again when the core was restarted. @type {TakeSurface | null} */
   #surface = null;
+  /** What the core has the reference surface at hand by. @type {string | null} */
+  #offered = null;
   #turn = 0;
   /** What ends following the first mesh. @type {(() => void)[]} */
   #stops = [];
@@ -101,8 +103,24 @@ export class Comparing {
   async openOffered(id) {
     const offer = this.#app.facts.get("offers").find((one) => one.id === id);
     if (!offer) return this.#fail(new Error(`nothing is offered by the name of ${id}`));
-    if (offer.surface) return this.#takeSurface(() => this.#app.client.call("compare_with_offered", [id]));
+    if (offer.surface)
+      return this.#takeSurface(() => this.#app.client.call("compare_with_offered", [id]), id);
     await this.#open({ name: offer.name, offered: id }, null);
+  }
+
+  /** Take what is compared with as its file is now, if it is the one at hand by this name. @param {string} id @returns {Promise<boolean>} whether it is */
+  async renew(id) {
+    const second = this.#second;
+    try {
+      if (second && second.facts.get("offered") === id) return Boolean(await second.opening.renew());
+      if (this.#surface && this.#offered === id) {
+        await this.#takeSurface(this.#surface, id);
+        return true;
+      }
+    } catch {
+      // said in a message by whoever failed: what was there stays
+    }
+    return false;
   }
 
   /** Measure against a surface, which is drawn over the mesh. @param {string} name @param {Blob} file */
@@ -268,7 +286,7 @@ export class Comparing {
   /** @param {number} turn */
   async #matched(turn) {
     this.distances.forget();
-    if (this.#surface) return this.#takeSurface(this.#surface);
+    if (this.#surface) return this.#takeSurface(this.#surface, this.#offered);
     const [first, second] = [this.#app, this.#second];
     const there = [first, second].every(
       (side) => side?.facts.get("summary") && side.facts.get("core") === "ready",
@@ -280,8 +298,8 @@ export class Comparing {
     await Promise.all([first.drawing.update(), second.drawing.update()]);
   }
 
-  /** @param {TakeSurface} take */
-  async #takeSurface(take) {
+  /** @param {TakeSurface} take @param {string | null} [offered] what the core has it at hand by */
+  async #takeSurface(take, offered = null) {
     const { facts, messages, store, drawing } = this.#app;
     if (!facts.get("summary"))
       return this.#fail(new Error("Open a mesh first, then what it is compared with"));
@@ -289,6 +307,7 @@ export class Comparing {
       const told = await take();
       this.#endSecond();
       this.#surface = take;
+      this.#offered = offered;
       this.distances.forget();
       messages.settle("compare");
       facts.set({ comparison: told });

@@ -57,9 +57,13 @@ export class Offered {
     if (compare !== null) await this.#app.comparing.openOffered(compare);
   }
 
-  /** The file of the open mesh was written anew. @param {string} id */
+  /** The file of the open mesh was written anew, or that of what it is compared with. @param {string} id */
   async #again(id) {
-    const { opening, messages, facts, cells } = this.#app;
+    const { opening, messages, facts, cells, comparing } = this.#app;
+    if (await comparing.renew(id)) {
+      const name = this.#offers.list.find((one) => one.id === id)?.name;
+      messages.say("note", `${name} was written anew, and is compared with as it is now`, { topic: "watch" });
+    }
     if (facts.get("offered") !== id) return;
     const before = facts.get("summary")?.cells;
     const inspected = facts.get("cell")?.cell;
