@@ -49,6 +49,7 @@ function buildPage() {
   listenToKeys(app, page.dialogs.help);
   listenToClipboard(app);
   listenToLaunches(app);
+  if (beside === null) page.chooseSecond();
 }
 
 /** @type {import("./lighting/lighting.js").MakeLighting} */
@@ -81,8 +82,10 @@ async function openWhatTheAddressNames() {
   if (isEntry(addressed)) await app.openEntry(...pair(addressed), status);
   else if (addressed) await app.openUrl(addressed, status);
   else if (status) await app.documents.apply(status);
-  if (addressed && isEntry(beside)) await app.comparing.openEntry(...pair(beside));
-  else if (addressed && beside) await app.comparing.openUrl(beside);
+  if (addressed && beside) {
+    if (isEntry(beside)) await app.comparing.openEntry(...pair(beside));
+    else await app.comparing.openUrl(beside);
+  }
   if (addressed) await app.lastFiles.recall();
 }
 

@@ -9,7 +9,7 @@
  * @property {boolean} steps whether opened meshes are steps of the browser's history
  * @property {boolean} embedded whether the picture alone is shown, in a frame of another page
  * @property {string} addressed the mesh that the page's address names: "source/mesh", an address, or nothing
- * @property {string} beside the mesh that the page's address names to be compared with it, or nothing
+ * @property {string | null} beside the mesh that the page's address names to be compared with it, or nothing; null where one is to be chosen
  * @property {import("../core/client.js").CoreClient} client
  * @property {(() => import("../core/client.js").CoreClient) | null} another starts a second core, for a second mesh
  * @property {Ahead} ahead

@@ -33,7 +33,7 @@ export function site() {
     steps: !embedded,
     embedded,
     addressed,
-    beside: asked.get("with") ?? "",
+    beside: asked.get("with") === "" ? null : (asked.get("with") ?? ""),
     client,
     another: () => new CoreClient(transport(null)),
     ahead,

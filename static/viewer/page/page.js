@@ -71,6 +71,14 @@ export class Page {
     followSize(context.app.scene, canvas);
     followModality();
   }
+
+  /** The reader came to choose what the mesh is compared with. */
+  chooseSecond() {
+    const section = /** @type {HTMLDetailsElement} */ (document.getElementById(`section-${compare.id}`));
+    section.open = true;
+    section.scrollIntoView({ block: "start" });
+    document.getElementById("compare-open")?.focus();
+  }
 }
 
 /** @param {string} id @param {...Node} nodes */

@@ -16,6 +16,8 @@ from tests.core.conftest import grid_points
 
 Run = Callable[..., tuple[int, str, str]]
 
+EXAMPLE = Path(__file__).resolve().parents[3] / "docs" / "examples" / "compare.yaml"
+
 SQUARE = "OFF\n4 1 0\n0 0 2\n3 0 2\n3 2 2\n0 2 2\n4 0 1 2 3\n"
 
 
@@ -130,6 +132,14 @@ def test_S7_criteria_decide_on_the_exit_code(
     verdict = json.loads(out)["verdict"]
     assert verdict["passed"] is (expected == 0)
     assert len(verdict["checks"]) == 1
+
+
+def test_S7_the_example_of_criteria_can_be_asked(run: Run, pair: tuple[Path, Path]) -> None:
+    pytest.importorskip("yaml")
+    code, out, err = run("compare", *pair, "--json", "--criteria", EXAMPLE)
+    states = [check["state"] for check in json.loads(out)["verdict"]["checks"]]
+    assert (code, states) == (1, ["missed", "missed", "missed", "missed", "passed"])
+    assert err.count("\n") == 4
 
 
 def test_S7_what_can_not_be_measured_is_not_passed(
