@@ -1,6 +1,7 @@
 """`make bench`: every figure of the specification that a machine can print, in a few minutes.
 
-python -m benchmarks [native] [groups] [structure] [distance] [archives] [start] [browser] [view] [memory] [lighting]
+python -m benchmarks [native] [groups] [structure] [distance] [comparison] [archives] [start] [browser] [view] [memory]
+                     [lighting]
 """
 
 from __future__ import annotations
@@ -10,13 +11,26 @@ import platform
 import sys
 from pathlib import Path
 
-from . import archives, browser, distance, groups, lighting, memory, native, start, structure, view
+from . import (
+    archives,
+    browser,
+    comparison,
+    distance,
+    groups,
+    lighting,
+    memory,
+    native,
+    start,
+    structure,
+    view,
+)
 
 PARTS = {
     "native": native.run,
     "groups": groups.run,
     "structure": structure.run,
     "distance": distance.run,
+    "comparison": comparison.run,
     "archives": archives.run,
     "start": start.run,
     "browser": browser.run,

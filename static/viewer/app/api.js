@@ -77,6 +77,11 @@ export class HexaLab {
     return this.#app.client.memory;
   }
 
+  /** The same of each core, the second mesh's last. @returns {(number | null)[]} */
+  memories() {
+    return this.#app.comparing.memory;
+  }
+
   /** The status document: a copy. @returns {Status} */
   getStatus() {
     return structuredClone(this.#app.store.status);
