@@ -164,7 +164,7 @@ export class Comparing {
     const { filters, compare } = store.status;
     const { enabled } = filters.picking;
     const same = this.#app.facts.get("comparison")?.same_cells ?? false;
-    steps.swap();
+    steps.swap(() => this.#app.opening.open(b));
     if (!same) {
       const { enabled: _, ...own } = filters.picking;
       store.set(
