@@ -203,3 +203,28 @@ test("S6: the tool at hand is that of both, though the second mesh came after it
   all.facts.set({ tool: "turn" });
   assert.equal(second.get("tool"), "undig", "one that was closed follows no more");
 });
+
+test("S6: one of the catalogue, or an address, is named beside the first; a file, and what failed, is not", async () => {
+  const all = await opened({}, null);
+  const named = /** @type {(string | null)[]} */ ([]);
+  all.app.steps.beside = (address) => void named.push(address);
+  all.app.fetching.from = (address) => {
+    const file = fileOf(address, address.endsWith(".stl") ? { surface: true } : {});
+    return { name: address, address, bytes: () => file.arrayBuffer() };
+  };
+  const mesh = { url: "meshes/duck.mesh", slug: "fine" };
+  const catalogue = {
+    entry: (/** @type {string} */ source) => (source === "ducks" ? { source: {}, mesh } : null),
+  };
+  all.app.catalogue = /** @type {any} */ (Promise.resolve(catalogue));
+  await all.comparing.openEntry("ducks", "fine");
+  assert.equal(all.seconds[0].core.mesh?.name, "https://meshes.example/meshes/duck.mesh");
+  await all.comparing.openUrl("https://other.example/b.mesh");
+  await all.comparing.openUrl("https://other.example/wing.stl");
+  await all.comparing.openFiles([fileOf("c.mesh")]);
+  const addresses = ["https://other.example/b.mesh", "https://other.example/wing.stl"];
+  assert.deepEqual(named, ["ducks/fine", ...addresses, null]);
+  await assert.rejects(all.comparing.openEntry("geese", "fine"), /has no mesh geese\/fine/);
+  await assert.rejects(all.comparing.openFiles([fileOf("bad.mesh", { lacks: "broken" })]));
+  assert.equal(named.length, 4);
+});

@@ -1,6 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { tableCsv } from "../../../static/viewer/state/compared.js";
+import { tableCsv, withoutComparison } from "../../../static/viewer/state/compared.js";
+import { merge } from "../../../static/viewer/state/paths.js";
+import { DEFAULTS } from "../defaults.js";
 
 const METRICS = /** @type {any[]} */ ([
   { id: "scaled_jacobian", better: "high" },
@@ -45,4 +47,52 @@ test("S6: every row has as many fields as the head, and without a metric there i
   for (const line of tableCsv(METRICS, A, B).split("\r\n").slice(0, -1))
     assert.equal(line.split(",").length, 11, line);
   assert.equal(tableCsv(METRICS, {}, B).split("\r\n").length, 2);
+});
+
+const TABLES = { compared: /** @type {any[]} */ ([{ id: "compare:displacement" }, { id: "change:volume" }]) };
+
+/** A status as it is when the comparison has ended. @param {import("../../../static/viewer/state/status.js").PartialStatus} partial */
+const ended = (partial) => {
+  const status = merge(DEFAULTS, partial);
+  return merge(status, withoutComparison(status, DEFAULTS, TABLES));
+};
+
+test("S6: a status of one mesh has no name and no cells of another, and looks at nothing of both", () => {
+  const band = (/** @type {string} */ quantity) => ({
+    quantity,
+    keep: /** @type {const} */ ("inside"),
+    minimum: 0,
+    maximum: null,
+  });
+  const found = ended({
+    colour: { by: "attribute", attribute: "change:volume", metric: "skew", map: "diverging", range: [0, 1] },
+    arrows: { attribute: "compare:displacement", length: 0.2 },
+    filters: { quality: { enabled: false, items: [band("change:volume"), band("skew")] } },
+    compare: {
+      other: { name: "b", sha256: "b", cells: 3 },
+      picking: { isolated: true, shown: [1] },
+      divider: 0.2,
+    },
+  });
+  assert.deepEqual(
+    found,
+    merge(DEFAULTS, {
+      colour: { by: "quality", metric: "skew" },
+      arrows: { length: 0.2 },
+      filters: { quality: { enabled: false, items: [band("skew")] } },
+      compare: { divider: 0.2 },
+    }),
+  );
+});
+
+test("S6: a status that has nothing of a comparison stays the same one", () => {
+  const heated = {
+    colour: {
+      by: /** @type {const} */ ("attribute"),
+      attribute: "cell:heat",
+      map: /** @type {const} */ ("jet"),
+    },
+  };
+  const status = merge(DEFAULTS, heated);
+  assert.equal(merge(status, withoutComparison(status, DEFAULTS, TABLES)), status);
 });
