@@ -180,6 +180,8 @@ test("S6: cells that were picked of one second mesh are none of the next one's, 
   assert.deepEqual(all.store.status.compare.picking, picking);
   await all.comparing.openFiles([fileOf("d.mesh", { cells: "less", count: 3 })]);
   assert.deepEqual(all.store.status.compare.picking, DEFAULTS.compare.picking);
+  all.store.undo();
+  assert.equal(all.store.canUndo, false, "that they went is no step that could be undone");
 });
 
 test("S6: cells that a link says are picked of the second mesh are picked when it comes", async () => {
@@ -208,17 +210,20 @@ test("S6: one of the catalogue, or an address, is named beside the first; a file
   const all = await opened({}, null);
   const named = /** @type {(string | null)[]} */ ([]);
   all.app.steps.beside = (address) => void named.push(address);
-  all.app.fetching.from = (address) => {
+  const hashes = /** @type {(string | undefined)[]} */ ([]);
+  all.app.fetching.from = (address, hash) => {
+    hashes.push(hash);
     const file = fileOf(address, address.endsWith(".stl") ? { surface: true } : {});
     return { name: address, address, bytes: () => file.arrayBuffer() };
   };
-  const mesh = { url: "meshes/duck.mesh", slug: "fine" };
+  const mesh = { url: "meshes/duck.mesh", slug: "fine", sha256: "5a" };
   const catalogue = {
     entry: (/** @type {string} */ source) => (source === "ducks" ? { source: {}, mesh } : null),
   };
   all.app.catalogue = /** @type {any} */ (Promise.resolve(catalogue));
   await all.comparing.openEntry("ducks", "fine");
   assert.equal(all.seconds[0].core.mesh?.name, "https://meshes.example/meshes/duck.mesh");
+  assert.deepEqual(hashes, ["5a"], "whose content is known");
   await all.comparing.openUrl("https://other.example/b.mesh");
   await all.comparing.openUrl("https://other.example/wing.stl");
   await all.comparing.openFiles([fileOf("c.mesh")]);
@@ -227,4 +232,16 @@ test("S6: one of the catalogue, or an address, is named beside the first; a file
   await assert.rejects(all.comparing.openEntry("geese", "fine"), /has no mesh geese\/fine/);
   await assert.rejects(all.comparing.openFiles([fileOf("bad.mesh", { lacks: "broken" })]));
   assert.equal(named.length, 4);
+});
+
+test("S6: a mesh of the catalogue that can't be read is no surface, and that is said once", async () => {
+  const all = await opened({}, null);
+  const file = fileOf("duck.mesh", { lacks: "broken", surface: true });
+  all.app.fetching.from = (address) => ({ name: "duck.mesh", address, bytes: () => file.arrayBuffer() });
+  const entry = { source: {}, mesh: { url: "duck.mesh", slug: "fine" } };
+  all.app.catalogue = /** @type {any} */ (Promise.resolve({ entry: () => entry }));
+  await assert.rejects(all.comparing.openEntry("ducks", "fine"), /duck.mesh: can't be read/);
+  await settled();
+  assert.deepEqual(all.said(), [["error", "duck.mesh: can't be read"]]);
+  assert.equal(all.core.questions("compare_with_surface").length, 0);
 });

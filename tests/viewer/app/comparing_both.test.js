@@ -32,6 +32,7 @@ for (const count of [8, 3])
     assert.deepEqual(store.status.compare.picking, first);
     assert.deepEqual(seconds[0].side.store.status.filters.picking, FIRST);
     assert.equal(store.status.colour.map, "jet", "all other settings stay");
+    assert.equal(store.canUndo, false);
     assert.deepEqual(all.said(), []);
   });
 
@@ -77,6 +78,18 @@ test("S6: what fails while both change places is said, and the cells that were p
   await settled();
   assert.deepEqual(all.said(), [["error", "out of memory"]]);
   assert.deepEqual(all.store.status.filters.picking, FIRST);
+});
+
+test("S6: both change places in the page's address, and a step back opens the one that is the first then", async () => {
+  const all = await opened();
+  /** @type {() => Promise<unknown>} */
+  let again = () => Promise.resolve();
+  all.app.steps.swap = (open) => void (again = open);
+  await all.comparing.swap();
+  await settled();
+  await all.app.openFiles([fileOf("c.mesh")]);
+  await again();
+  assert.equal(all.core.mesh?.name, "b.mesh");
 });
 
 test("S6: without a second mesh nothing changes places", async () => {
@@ -155,4 +168,49 @@ test("S6: colours by a change are plain while the cells are others, and come bac
   assert.equal(all.app.look.status.colour.attribute, "change:volume");
   assert.equal(all.seconds[0].side.store.status.colour.attribute, "change:volume");
   assert.deepEqual(all.said(), [], "no core was asked for what it does not know");
+});
+
+test("S6: the structure is traced of both", async () => {
+  const all = await opened();
+  const facts = { sheets: 3 };
+  for (const core of [all.core, all.seconds[0].core])
+    Object.assign(core, { _trace: () => ({ next: null }), _structure_facts: () => facts });
+  await all.comparing.trace();
+  assert.equal(all.facts.get("structure"), facts);
+  assert.equal(all.seconds[0].side.facts.get("structure"), facts);
+});
+
+test("S6: both are drawn when they know of each other, and what was measured of others goes", async () => {
+  const all = await opened();
+  for (const { asked } of [all.core, all.seconds[0].core]) {
+    const methods = asked.map(([method]) => method);
+    assert.ok(methods.lastIndexOf("update") > methods.indexOf("compare_with"));
+  }
+  all.facts.set({ apart: /** @type {any} */ ({ hausdorff: 1 }) });
+  await all.comparing.openFiles([fileOf("c.mesh")]);
+  assert.equal(all.facts.get("apart"), null);
+});
+
+test("S6: what keeps two meshes from knowing of each other is said, and both stay", async () => {
+  const all = await opened();
+  all.core.fails.hand_over = new Error("out of memory");
+  await all.comparing.openFiles([fileOf("c.mesh")]);
+  await settled();
+  assert.deepEqual(all.said(), [["error", "out of memory"]]);
+  assert.equal(all.facts.get("comparison"), null);
+  assert.equal(all.facts.get("second")?.get("summary")?.name, "c.mesh");
+});
+
+test("S6: what two meshes tell of each other is told no more when the second has gone meanwhile", async () => {
+  const all = await opened();
+  let tell = () => {};
+  all.core.waits.compare_with = new Promise((resolve) => (tell = () => resolve(null)));
+  await all.comparing.openFiles([fileOf("c.mesh")]);
+  await new Promise((resolve) => setTimeout(resolve, 20));
+  all.comparing.close();
+  tell();
+  await settled();
+  assert.equal(all.facts.get("comparison"), null);
+  assert.equal(all.core.compared, null);
+  assert.deepEqual(all.said(), []);
 });

@@ -29,6 +29,9 @@ test("S7: a surface is read by the first core, drawn over the mesh and named", a
   assert.deepEqual(store.status.compare.other, { name: "wing.stl", sha256: "", cells: 0 });
   assert.equal(store.status.compare.reference.shown, true);
   assert.equal(seconds.length, 0, "no second mesh was begun for it");
+  assert.equal(store.canUndo, false);
+  const methods = core.asked.map(([method]) => method);
+  assert.ok(methods.lastIndexOf("update") > methods.indexOf("compare_with_surface"), "it is drawn");
   assert.deepEqual(said(), []);
 });
 
@@ -108,6 +111,16 @@ test("S7: a surface that can't be read leaves the second mesh, and a surface fro
   assert.equal(over.store.status.compare.other.name, "wing.stl");
 });
 
+test("S7: the next surface takes back what was said of one that can't be read, and what was measured of others", async () => {
+  const { comparing, facts, said } = await opened(fileOf("wing.stl", SURFACE));
+  facts.set({ apart: /** @type {any} */ ({ hausdorff: 1 }) });
+  await assert.rejects(comparing.openFiles([fileOf("bad.stl")]));
+  assert.equal(facts.get("apart")?.hausdorff, 1, "it is of the surface that is there yet");
+  await comparing.openFiles([fileOf("other.stl", SURFACE)]);
+  assert.deepEqual(said(), []);
+  assert.equal(facts.get("apart"), null);
+});
+
 test("S6: a second mesh takes the place of a surface, and stays", async () => {
   const { core, seconds, facts, store } = await opened(
     fileOf("wing.stl", SURFACE),
@@ -138,6 +151,15 @@ test("S7: a core that was started anew is given the surface, or the other mesh, 
     assert.deepEqual([core.mesh?.name, core.compared], ["a.mesh", file.name]);
     assert.equal(facts.get("comparison")?.name, file.name);
   }
+});
+
+test("S7: ended while the core has failed, it is asked for nothing", async () => {
+  const { comparing, core, facts } = await opened(fileOf("wing.stl", SURFACE));
+  facts.set({ core: "failed" });
+  comparing.close();
+  await settled();
+  assert.equal(core.questions("stop_comparing").length, 0);
+  assert.equal(facts.get("comparison"), null);
 });
 
 test("S7: ended, the surface is not taken again, nor one that was still being read", async () => {
@@ -202,9 +224,29 @@ test("S7: what the core has at hand is measured against or stands beside, as it 
   await assert.rejects(comparing.openOffered("7"), /nothing is offered by the name of 7/);
 });
 
-test("S7: ended, no name and no picked cell is left of what it was compared with", async () => {
-  const { comparing, store } = await opened(fileOf("wing.stl", SURFACE));
+test("S7: colours that a link has of the distance wait for the surface", async () => {
+  const all = await opened();
+  all.store.set({ colour: { by: "attribute", attribute: "compare:distance" } });
+  assert.equal(all.app.look.status.colour.by, "sides");
+  await all.comparing.openFiles([fileOf("wing.stl", SURFACE)]);
+  await settled();
+  assert.equal(all.app.look.status.colour.by, "attribute");
+  assert.equal(all.facts.get("histogram")?.quantity, "compare:distance");
+  assert.deepEqual(all.said(), []);
+});
+
+test("S7: ended, no name and no picked cell is left of what it was compared with, nor what was noted or measured", async () => {
+  const { comparing, store, facts, said, app } = await opened(
+    fileOf("wing.stl", { surface: true, notes: ["Odd."] }),
+  );
+  facts.set({ apart: /** @type {any} */ ({ hausdorff: 1 }) });
+  const named = /** @type {(string | null)[]} */ ([]);
+  app.steps.beside = (address) => void named.push(address);
   comparing.close();
+  assert.deepEqual(said(), []);
+  assert.equal(facts.get("apart"), null);
+  assert.deepEqual(named, [null]);
+  assert.equal(store.canUndo, false);
   const { other, picking } = store.status.compare;
   assert.deepEqual({ other, picking }, { other: DEFAULTS.compare.other, picking: DEFAULTS.compare.picking });
 });

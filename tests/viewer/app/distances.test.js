@@ -165,3 +165,11 @@ test("S7: an error of surfaces that have gone meanwhile is no news, nor is a que
   assert.equal(await other.distances.measure(), null);
   assert.deepEqual(other.said(), []);
 });
+
+test("S7: distances that can't be saved are said to be", async () => {
+  const first = core(1, 1, [1, 1]);
+  const { distances, said } = page(first);
+  first.fails.push(new Error("the mesh is compared with nothing"));
+  await distances.save();
+  assert.deepEqual(said(), [["error", "the mesh is compared with nothing"]]);
+});

@@ -187,3 +187,31 @@ test("S6: groups and features that the second mesh has too are hidden there as w
   assert.deepEqual(marks.hidden, ["edges:reference:1"]);
   assert.deepEqual(marks.nodes, ["nset:N"]);
 });
+
+test("S6: a range that is known of both already is common to them at once", async () => {
+  const { app, store, facts, other } = await opened(REACHES[0], REACHES[1]);
+  for (const side of [facts, other.facts]) {
+    const volume = /** @type {any} */ ({ min: -9, max: side === facts ? 5 : 9, percentiles: {} });
+    side.set({ statistics: { ...side.get("statistics"), volume } });
+  }
+  store.set({ colour: { metric: "volume" } });
+  assert.deepEqual(app.look.status.colour.reach, [-9, 9]);
+});
+
+test("S6: what comes out of a structure is every mesh's own", async () => {
+  const { store, other } = await opened(UNIT, UNIT);
+  store.set({ colour: { by: "attribute", attribute: "structure:block" } });
+  assert.equal(other.store.status.colour.attribute, "structure:block");
+});
+
+test("S6: what is known of metrics is known yet when another comparison begins", async () => {
+  const { facts, core, other, comparing } = await opened(UNIT, UNIT, { colours: "own" });
+  const [known, asked] = [facts.get("histogram"), core.questions("histogram").length];
+  comparing.close();
+  await settled();
+  await comparing.openFiles([fileOf("c.stl", { surface: true })]);
+  await settled();
+  assert.equal(facts.get("histogram"), known);
+  assert.equal(core.questions("histogram").length, asked);
+  assert.equal(other.core.closed, true);
+});

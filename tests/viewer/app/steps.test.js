@@ -153,6 +153,26 @@ test("going back opens the mesh before under its settings, and is no step of its
   assert.equal(browser.entries.length, 2);
   await browser.go(1);
   assert.deepEqual(opened, ["duck/fine", "cube/one"]);
+  assert.deepEqual(
+    layers.at(-1),
+    { name: "cube/one" },
+    "settings at leaving are those that are come back to",
+  );
+});
+
+test("what is opened while a step is gone to is none of its own, and what fails then is no end of steps", async () => {
+  const { steps, open } = page();
+  steps.add("duck/fine", async () => {
+    steps.leave();
+    steps.add("duck/fine", async () => {});
+    throw new Error("it can't be fetched");
+  });
+  open("cube/one");
+  await browser.go(-1);
+  assert.equal(browser.entries.length, 2);
+  open("cube/two");
+  assert.equal(browser.entries.length, 2, "it takes the place of the one that could be gone forward to");
+  assert.equal(search(), "?mesh=cube/two");
 });
 
 test("S6: after going back the address names the mesh gone back to, and what stands beside it now", async () => {

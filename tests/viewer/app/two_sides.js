@@ -45,7 +45,7 @@ export const tables = /** @type {import("../../../static/viewer/state/tables.js"
       { ...METRIC, id: "scaled_jacobian", name: "Scaled Jacobian", symbol: "SJ" },
       { ...METRIC, id: "volume", name: "Volume", symbol: "V" },
     ],
-    traced: [],
+    traced: [{ id: "structure:block", name: "Block" }],
     compared: [
       { ...COMPARED, id: "compare:distance", name: "Distance", cellwise: false },
       { ...COMPARED, id: "compare:displacement", name: "Displacement", cellwise: true },

@@ -124,4 +124,6 @@ test("S6: stopped, it follows the status no more", () => {
   store.set({ camera: { distance: 7 } });
   assert.deepEqual(paths(), []);
   assert.equal(look.status, before);
+  look.renew();
+  assert.deepEqual(paths(), [], "and tells nobody, though it is renewed once more");
 });

@@ -29,6 +29,20 @@ test("S6: a second store reads the one status, with the second mesh's name", () 
   assert.equal(second.defaultAt("camera.distance"), DEFAULTS.camera.distance);
 });
 
+test("S6: before anything is known of the second mesh nothing is taken to be that of the first", () => {
+  const first = new StatusStore(DEFAULTS);
+  const second = new SecondStore(first);
+  first.set({
+    colour: { by: "attribute", attribute: "cell:heat" },
+    filters: { picking: isolate([3]), groups: { hidden: ["elset:A"] } },
+    camera: { distance: 7 },
+  });
+  const { colour, filters, camera } = second.status;
+  assert.deepEqual([colour.by, colour.reach], ["sides", null]);
+  assert.deepEqual(filters, DEFAULTS.filters);
+  assert.equal(camera.distance, 7);
+});
+
 test("S6: what is set at the second is set in the one status, by paths as well", () => {
   const { first, second } = parts(false);
   second.set({ filters: { picking: isolate([4, 2]) } });
