@@ -22,6 +22,7 @@ import { Superseded } from "../core/client.js";
 import { Batch } from "../batch/batch.js";
 import { hasAttribute, openingSettings, ownView } from "../state/opening_view.js";
 import { counted } from "../state/numbers.js";
+import { comparedOf } from "../state/tables.js";
 
 /**
  * The application: holds status, facts, core and scene together. Panels, keys and scripts call its actions; settings
@@ -140,7 +141,9 @@ export class App extends Side {
         renewed: origin.renewed === true,
         alike,
         same: origin.renewed === true || (alike && status.mesh.name === nameOf(origin, summary)),
-        has: (quantity, components) => hasAttribute(summary, quantity, components),
+        // Quantities of a comparison wait until both meshes know of each other.
+        has: (quantity, components) =>
+          comparedOf(this.tables, quantity) !== undefined || hasAttribute(summary, quantity, components),
       },
     );
     store.set(settings, { undo: false });

@@ -1,6 +1,5 @@
 import { CoreError, Superseded } from "../core/client.js";
-import { tableCsv } from "../state/compared.js";
-import { comparedOf } from "../state/tables.js";
+import { tableCsv, withoutComparison } from "../state/compared.js";
 import { Distances } from "./distances.js";
 import { saveFile } from "./saving.js";
 import { SeenTogether } from "./seen_together.js";
@@ -31,6 +30,8 @@ export class Comparing {
   /** What the core has the reference surface at hand by. @type {string | null} */
   #offered = null;
   #turn = 0;
+  /** How often a comparison was ended: a surface that is still being read then is wanted no more. */
+  #ended = 0;
   /** What ends following the first mesh. @type {(() => void)[]} */
   #stops = [];
   /** Settles when both meshes know of each other. @type {Promise<void>} */
@@ -73,7 +74,7 @@ export class Comparing {
   async #openFrom(origin, address) {
     const asSurface = async () => {
       const bytes = await /** @type {NonNullable<Origin["bytes"]>} */ (origin.bytes)(() => {});
-      await this.openSurface(origin.name, new Blob([bytes]));
+      await this.openSurface(origin.name, new Blob([bytes]), origin.companions);
       this.#app.steps.beside(address);
     };
     const ending = /\.[^.]+$/.exec(origin.name.replace(/\.gz$/i, ""))?.[0].toLowerCase() ?? "";
@@ -103,8 +104,10 @@ export class Comparing {
   async openOffered(id) {
     const offer = this.#app.facts.get("offers").find((one) => one.id === id);
     if (!offer) return this.#fail(new Error(`nothing is offered by the name of ${id}`));
-    if (offer.surface)
-      return this.#takeSurface(() => this.#app.client.call("compare_with_offered", [id]), id);
+    if (offer.surface) {
+      await this.#takeSurface(() => this.#app.client.call("compare_with_offered", [id]), id);
+      return this.#app.steps.beside(null);
+    }
     await this.#open({ name: offer.name, offered: id }, null);
   }
 
@@ -123,41 +126,27 @@ export class Comparing {
     return false;
   }
 
-  /** Measure against a surface, which is drawn over the mesh. @param {string} name @param {Blob} file */
-  async openSurface(name, file) {
-    await this.#takeSurface(async () =>
-      this.#app.client.call("compare_with_surface", [name, await file.arrayBuffer()]),
-    );
+  /** Measure against a surface, which is drawn over the mesh. @param {string} name @param {Blob} file @param {Origin["companions"]} [companions] */
+  async openSurface(name, file, companions) {
+    await this.#takeSurface(async () => {
+      const bytes = await file.arrayBuffer();
+      const parts = await companions?.();
+      return this.#app.client.call("compare_with_surface", parts ? [name, bytes, parts] : [name, bytes]);
+    });
   }
 
   /** The second mesh, or the surface, goes. */
   close() {
-    const { client, facts, store, steps } = this.#app;
+    const { client, facts, messages, store, steps } = this.#app;
     this.#turn++;
+    this.#ended++;
     this.#surface = null;
+    messages.settle("compare");
     this.#endSecond();
     facts.set({ comparison: null });
     this.distances.forget();
     steps.beside(null);
-    const { defaults, status } = store;
-    const { by, attribute } = status.colour;
-    store.set(
-      {
-        compare: { other: defaults.compare.other, picking: defaults.compare.picking },
-        ...(by === "attribute" && comparedOf(this.#app.tables, attribute)
-          ? { colour: { by: "quality", attribute: "", range: null, map: defaults.colour.map } }
-          : {}),
-        ...(comparedOf(this.#app.tables, status.arrows.attribute) ? { arrows: { attribute: "" } } : {}),
-        filters: {
-          quality: {
-            items: status.filters.quality.items.filter(
-              ({ quantity }) => !comparedOf(this.#app.tables, quantity),
-            ),
-          },
-        },
-      },
-      { undo: false },
-    );
+    store.set(withoutComparison(store.status, store.defaults, this.#app.tables), { undo: false });
     if (facts.get("core") === "ready" && facts.get("summary"))
       client.call("stop_comparing").then(
         () => this.#app.drawing.update(),
@@ -180,21 +169,23 @@ export class Comparing {
     if (!second || !a || !b) return;
     const { store, steps } = this.#app;
     const { filters, compare } = store.status;
-    const { enabled } = filters.picking;
+    const { enabled, ...own } = filters.picking;
     const same = this.#app.facts.get("comparison")?.same_cells ?? false;
-    steps.swap();
-    if (!same) {
-      const { enabled: _, ...own } = filters.picking;
-      store.set(
-        { filters: { picking: { enabled, ...compare.picking } }, compare: { picking: own } },
-        { undo: false },
-      );
-    }
+    steps.swap(() => this.#app.opening.open(b));
     const stays = { status: undefined, layers: undefined, renewed: true };
-    await Promise.all([
-      this.#app.opening.open({ ...b, ...stays }),
-      second.opening.open({ ...a, ...stays }),
-    ]).catch(() => {}); // said in a message by whoever failed
+    try {
+      await Promise.all([
+        this.#app.opening.open({ ...b, ...stays }),
+        second.opening.open({ ...a, ...stays }),
+      ]);
+    } catch {
+      return; // said in a message by whoever failed
+    }
+    if (same) return;
+    store.set(
+      { filters: { picking: { enabled, ...compare.picking } }, compare: { picking: own } },
+      { undo: false },
+    );
   }
 
   /** Statistics of a quantity for both, asked for where they are not known yet. @param {string} id */
@@ -231,22 +222,24 @@ export class Comparing {
 
   /** @param {Origin} origin @param {string | null} address that names it @param {() => Promise<void>} [otherwise] where it is no mesh */
   async #open(origin, address, otherwise) {
-    const { facts, steps } = this.#app;
+    const { facts, messages, steps } = this.#app;
     if (!facts.get("summary"))
       return this.#fail(new Error("Open a mesh first, then what it is compared with"));
     if (!this.#make) return this.#fail(new Error("A second mesh can't be shown here"));
-    const began = this.#second === null;
-    if (began) this.#begin(this.#make());
+    if (!this.#second) this.#begin(this.#make());
     const second = /** @type {Second} */ (this.#second);
     try {
       await second.opening.open(origin);
-      this.#surface = null;
+      messages.settle("compare");
       steps.beside(address);
     } catch (error) {
       if (error instanceof Superseded || this.#second !== second) return;
-      if (began) this.close();
+      if (!second.opening.present) {
+        if (this.#surface) this.#endSecond();
+        else this.close();
+      }
       if (!otherwise || !(error instanceof CoreError) || !NO_MESH.includes(error.kind)) {
-        this.#app.messages.error(error, { topic: "compare" });
+        messages.error(error, { topic: "compare" });
         throw error;
       }
       second.messages.settle("open");
@@ -256,10 +249,22 @@ export class Comparing {
 
   /** @param {Second} second */
   #begin(second) {
-    const { facts } = this.#app;
+    const { facts, store } = this.#app;
     this.#second = second;
-    second.taken = () => this.#unmatch();
-    second.opened = () => void this.#match();
+    second.adopt = ({ renewed }, { cells }) => {
+      const before = second.facts.get("summary")?.cells ?? cells;
+      const { picking } = store.defaults.compare;
+      if (before !== cells && !renewed) store.set({ compare: { picking } }, { undo: false });
+      return false;
+    };
+    second.taken = () => {
+      this.#surface = null;
+      this.#unmatch();
+    };
+    second.opened = () => {
+      second.facts.set({ tool: facts.get("tool") });
+      void this.#match();
+    };
     this.#stops = [
       facts.on("catalogue", (catalogue) => second.facts.set({ catalogue })),
       facts.on("tool", (tool) => second.facts.set({ tool })),
@@ -303,8 +308,10 @@ export class Comparing {
     const { facts, messages, store, drawing } = this.#app;
     if (!facts.get("summary"))
       return this.#fail(new Error("Open a mesh first, then what it is compared with"));
+    const ended = this.#ended;
     try {
       const told = await take();
+      if (ended !== this.#ended) throw new Superseded();
       this.#endSecond();
       this.#surface = take;
       this.#offered = offered;
@@ -313,8 +320,9 @@ export class Comparing {
       facts.set({ comparison: told });
       if (told.surface?.notes.length)
         messages.say("note", told.surface.notes.join(" "), { topic: "compare" });
-      const other = { ...store.defaults.compare.other, name: told.name };
-      store.set({ compare: { other, reference: { shown: true } } }, { undo: false });
+      const { other, picking } = store.defaults.compare;
+      const compare = { other: { ...other, name: told.name }, picking, reference: { shown: true } };
+      store.set({ compare }, { undo: false });
       await drawing.update();
     } catch (error) {
       if (!(error instanceof Superseded)) messages.error(error, { topic: "compare" });

@@ -70,7 +70,8 @@ export class Distances {
       facts.set({ apart, measuring: null });
       return apart;
     } catch (error) {
-      if (here()) this.forget();
+      if (!here()) return null;
+      this.forget();
       if (!(error instanceof Superseded)) messages.error(error, { topic: "compare" });
       return null;
     }

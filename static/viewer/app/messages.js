@@ -20,6 +20,7 @@ export class Messages {
   static #last = 0;
   #facts;
   #about;
+  #ended = false;
 
   /** @param {import("../state/facts.js").Facts} facts @param {string} [about] what topics begin with, where they are another mesh's */
   constructor(facts, about = "") {
@@ -32,6 +33,7 @@ export class Messages {
    * @param {{ topic?: string, action?: Message["action"] }} [options] a newer message on a topic takes the older one's place
    */
   say(severity, text, { topic, action } = {}) {
+    if (this.#ended) return;
     const own = topic && this.#about + topic;
     const message = { id: ++Messages.#last, severity, text, action, topic: own };
     const others = this.#all.filter((one) => one.text !== text && (!own || one.topic !== own));
@@ -58,6 +60,13 @@ export class Messages {
   /** Take back what was said about the mesh before, and what was done to it. */
   settleMesh() {
     this.settle(...OF_A_MESH);
+  }
+
+  /** What they are about is gone: all that was said of it is taken back, and nothing more is said. */
+  end() {
+    this.#ended = true;
+    const rest = this.#all.filter(({ topic }) => !topic?.startsWith(this.#about));
+    if (rest.length < this.#all.length) this.#facts.set({ messages: rest });
   }
 
   /** @returns {readonly Message[]} */

@@ -146,7 +146,7 @@ export class Saving {
     const quantity = quantityOf(this.#app);
     if (format === "csv") {
       const unit = plainUnitOf(store.status, quantity.lengthPower);
-      const second = data.beside && (facts.get("second")?.get("histogram")?.counts ?? null);
+      const second = data.beside && (facts.get("second")?.get("histogram") ?? null);
       return new Blob([toCsv(data, data.quantity, unit, second)], { type: "text/csv" });
     }
     const { histogram, colour, figure } = store.status;

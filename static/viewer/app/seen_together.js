@@ -1,6 +1,6 @@
 import { boxOf, cornersOf } from "../geometry/box.js";
 import { areAlike, areNear, frameOfBox, placeIn, pointsIn } from "../state/frames.js";
-import { groupsOf } from "../state/groups.js";
+import { idsOfGroups } from "../state/groups.js";
 import { asFarAsKnown, withReach } from "../state/known_quantities.js";
 import { hasAttribute } from "../state/opening_view.js";
 import { quantityOf } from "../state/quantity.js";
@@ -28,9 +28,11 @@ export class SeenTogether {
     this.#app = app;
     const { store, facts, look } = app;
     look.derive((status) => withReach(asFarAsKnown(status, this.#known), this.#common));
-    facts.on("comparison", () => {
+    facts.on("comparison", (told) => {
+      const stale = this.#forget();
       look.renew();
       this.#know();
+      if (told) for (const { measures } of stale) void measures.measured();
       this.#place();
     });
     facts.on("summary", () => this.#place());
@@ -52,7 +54,25 @@ export class SeenTogether {
     this.#second = null;
     this.#common = null;
     this.#app.scene.setBeside(null);
+    this.#app.facts.set({ together: false });
     this.#app.look.renew();
+  }
+
+  /** What is known of quantities of a comparison is of the one before. @returns {import("./side.js").Side[]} those of which something was known */
+  #forget() {
+    const of = (/** @type {string | undefined} */ id) =>
+      id !== undefined && comparedOf(this.#app.tables, id) !== undefined;
+    return [this.#app, ...(this.#second ? [this.#second] : [])].filter(({ facts }) => {
+      const known = Object.entries(facts.get("statistics"));
+      const kept = known.filter(([id]) => !of(id));
+      const stale = {
+        ...(kept.length < known.length ? { statistics: Object.fromEntries(kept) } : {}),
+        ...(of(facts.get("histogram")?.quantity) ? { histogram: null } : {}),
+        ...(of(facts.get("worst")?.quantity) ? { worst: null } : {}),
+      };
+      facts.set(stale);
+      return Object.keys(stale).length > 0;
+    });
   }
 
   /** What of the status the second mesh has. */
@@ -60,7 +80,7 @@ export class SeenTogether {
     const second = this.#second;
     const summary = second?.facts.get("summary");
     if (!second || !summary) return;
-    const groups = new Set(groupsOf(second.facts).map(({ id }) => id));
+    const groups = idsOfGroups(second.facts);
     const { tables, facts } = this.#app;
     second.store.know({
       same: facts.get("comparison")?.same_cells ?? false,

@@ -2,7 +2,7 @@
  * Each mesh that is opened is a step of the browser's history: going back opens the one before, under the settings that it
  * had.
  *
- * @typedef {{ again: () => Promise<unknown>, status: import("../state/status.js").Status | null }} Step
+ * @typedef {{ mesh: string | null, again: () => Promise<unknown>, status: import("../state/status.js").Status | null }} Step
  */
 export class Steps {
   #app;
@@ -50,7 +50,7 @@ export class Steps {
       address.search = this.#search();
       address.hash = "";
     }
-    this.#steps.splice(++this.#at, Infinity, { again, status: null });
+    this.#steps.splice(++this.#at, Infinity, { mesh, again, status: null });
     const state = { step: this.#at };
     if (first) history.replaceState(state, "", address);
     else history.pushState(state, "", address);
@@ -63,10 +63,12 @@ export class Steps {
     this.#rename();
   }
 
-  /** Each of both meshes takes the place of the other. */
-  swap() {
+  /** Each of both meshes takes the place of the other. @param {() => Promise<unknown>} again opens the one that is the first now once more */
+  swap(again) {
     const { mesh, beside } = this.#named;
     this.#named = { mesh: beside, beside: mesh };
+    const step = this.#steps[this.#at];
+    if (step) Object.assign(step, { mesh: beside, again });
     this.#rename();
   }
 
@@ -94,6 +96,8 @@ export class Steps {
     this.leave();
     this.#going = true;
     this.#at = at;
+    this.#named = { ...this.#named, mesh: step.mesh };
+    this.#rename(); // what stands beside it may be another than it was
     const { documents, drawing } = this.#app;
     try {
       await step.again();

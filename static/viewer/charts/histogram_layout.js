@@ -23,7 +23,7 @@ import { niceTicks } from "./ticks.js";
  * @property {number} low
  * @property {number} high
  * @property {string} unit told at the axis; may be empty
- * @property {number} highest the largest count
+ * @property {number} highest the largest count, of both meshes where there are two
  * @property {{ box: Box, bin: number }[]} bars
  * @property {{ value: number, at: number }[]} ticks
  * @property {[value: number, share: number][]} steps corners of a second mesh's counts; none without one
@@ -50,7 +50,7 @@ export function layOut(data, { width, height, orientation, scale, unit = "" }) {
   const low = Number(data.edges[0]);
   const high = Number(data.edges[data.edges.length - 1]);
   const counts = Array.from(data.counts, Number);
-  const highest = Math.max(0, ...counts, ...(data.beside?.counts ?? []));
+  const highest = largestOf(counts, data.beside);
   const share =
     scale === "log"
       ? (/** @type {number} */ n) => Math.log1p(n) / Math.log1p(highest)
@@ -70,6 +70,11 @@ export function layOut(data, { width, height, orientation, scale, unit = "" }) {
   const ticks = niceTicks(low, high, upright ? 5 : 7).map((value) => ({ value, at: along(layout, value) }));
   const steps = data.beside && highest ? corners(data.beside, layout, share) : [];
   return { ...layout, bars, ticks, steps };
+}
+
+/** The largest count, in whole cells: those of a second mesh may be scaled. @param {readonly number[]} counts @param {HistogramData["beside"]} beside */
+export function largestOf(counts, beside) {
+  return Math.max(0, ...counts, ...(beside?.counts ?? []).map(Math.round));
 }
 
 /** Length of the count axis in pixels. @param {{ plot: Box, upright: boolean }} layout */

@@ -1,4 +1,5 @@
 import { tickText } from "../charts/ticks.js";
+import { largestOf } from "../charts/histogram_layout.js";
 import { corners } from "../charts/steps.js";
 import { s } from "../widgets/dom.js";
 import { wrapped } from "./layout.js";
@@ -208,7 +209,7 @@ function bracket({ acceptable }, [low, high], direction, style) {
 /** Bars of counts on the bar's other side, and their axis. @param {Scale} scale @param {Direction} direction @param {Style} style @param {number} spread pixels that the largest count takes */
 function counts({ data, colour }, direction, style, spread) {
   const all = Array.from(data.counts, Number);
-  const highest = Math.max(1, ...all, ...(data.beside?.counts ?? []));
+  const highest = Math.max(1, largestOf(all, data.beside));
   const log = style.counting === "log";
   const share = (/** @type {number} */ n) => (log ? Math.log1p(n) / Math.log1p(highest) : n / highest);
   const base = (BAR + 1.5) * style.point;

@@ -38,7 +38,8 @@ export function secondPane({ first, another, makeScene }) {
   const scene = makeScene(canvas, store.status.camera);
   const { tables, host } = first;
   const parts = { store, facts, client, scene, tables, canvas, host };
-  const side = new Side(parts, new Messages(first.facts, "second "));
+  const messages = new Messages(first.facts, "second ");
+  const side = new Side(parts, messages);
   side.followCore();
   scene.on("camera", (camera) => store.set({ camera }, { undo: "camera" }));
   const context = { store, facts, app: side, tables };
@@ -49,6 +50,7 @@ export function secondPane({ first, another, makeScene }) {
   lookAtTheSame(first, side);
   const close = () => {
     ending.abort();
+    messages.end(); // that its core was closed under what was asked of it is no news
     store.stop();
     client.dispose();
     scene.dispose();

@@ -1,5 +1,5 @@
 import { markColour } from "../colours/marks.js";
-import { DIMENSIONS, FEATURE_NAMES } from "../state/groups.js";
+import { DIMENSIONS, FEATURE_NAMES, idOfFeature } from "../state/groups.js";
 import { count, counted } from "../state/numbers.js";
 import { watch } from "../widgets/bind.js";
 import { h } from "../widgets/dom.js";
@@ -72,7 +72,7 @@ function part({ store, facts }, name) {
     onchange: () => store.set({ marks: { [name]: box.checked } }),
   });
   const colours = new Map((found?.groups ?? []).map(({ id, colour }) => [id, colour]));
-  const idOf = (/** @type {{ id: string }} */ group) => `${name}:${group.id}`;
+  const idOf = (/** @type {{ id: string }} */ group) => idOfFeature(name, group);
   const rows = new GroupRows(found?.groups ?? [], {
     label: `of the feature ${name} drawn`,
     turn: (group, on) => {

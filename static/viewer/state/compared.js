@@ -1,6 +1,9 @@
+import { comparedOf } from "./tables.js";
+
 /**
- * Numbers of two meshes beside each other, as a file.
+ * Two meshes beside each other: their numbers as a file, and what of the settings comes from the comparison.
  *
+ * @typedef {import("./status.js").Status} Status
  * @typedef {import("./tables.js").MetricRow} MetricRow
  * @typedef {Readonly<Record<string, import("./answers.js").Statistics>>} Known  statistics by metric
  */
@@ -22,4 +25,23 @@ export function tableCsv(metrics, a, b) {
       }),
     ]);
   return [head, ...rows, []].map((row) => row.join(",")).join("\r\n");
+}
+
+/**
+ * What makes settings those of one mesh: the other's name, cells that were picked of it, and what shows quantities of the
+ * comparison.
+ *
+ * @param {Status} status @param {Status} defaults @param {Pick<import("./tables.js").Tables, "compared">} tables
+ * @returns {import("./status.js").PartialStatus}
+ */
+export function withoutComparison({ colour, arrows, filters }, { compare, colour: plain }, tables) {
+  const ofBoth = (/** @type {string} */ quantity) => comparedOf(tables, quantity) !== undefined;
+  return {
+    compare: { other: compare.other, picking: compare.picking },
+    ...(colour.by === "attribute" && ofBoth(colour.attribute)
+      ? { colour: { by: "quality", attribute: "", range: null, map: plain.map } }
+      : {}),
+    ...(ofBoth(arrows.attribute) ? { arrows: { attribute: "" } } : {}),
+    filters: { quality: { items: filters.quality.items.filter(({ quantity }) => !ofBoth(quantity)) } },
+  };
 }

@@ -61,6 +61,20 @@ const NONE = Object.freeze([]);
 /** The same list as long as the groups are the same. @param {Facts} facts @returns {readonly GroupRow[]} */
 export const groupsOf = (facts) => facts.get("description")?.groups ?? NONE;
 
+/** What settings name a group of features by. @param {Dimension} dimension @param {Pick<FeatureGroup, "id">} group */
+export const idOfFeature = (dimension, { id }) => `${dimension}:${id}`;
+
+/** What settings may name of a mesh: its groups of cells, nodes and features. @param {Facts} facts @returns {ReadonlySet<string>} */
+export function idsOfGroups(facts) {
+  const features = facts.get("description")?.features;
+  return new Set([
+    ...groupsOf(facts).map(({ id }) => id),
+    ...DIMENSIONS.flatMap((name) =>
+      (features?.[name]?.groups ?? []).map((group) => idOfFeature(name, group)),
+    ),
+  ]);
+}
+
 /**
  * What the colours of groups stand for, in the groups' order: of all where they are few, else of the largest.
  *

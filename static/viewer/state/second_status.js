@@ -13,7 +13,7 @@ import { asFarAsKnown, withReach } from "./known_quantities.js";
  * @property {boolean} same whether its cells are those of the first, so that numbers mean the same
  * @property {number} cells
  * @property {(quantity: string, components?: number) => boolean} has an attribute, of so many components where that matters
- * @property {(group: string) => boolean} groups whether it has one of that id
+ * @property {(group: string) => boolean} groups whether it has one of that id, of cells, nodes or features
  * @property {{ first: Frame, second: Frame } | null} frames where both are seen at the same place; null where each is in its own
  * @property {readonly [number, number] | null} reach smallest and largest value of both, where colours are common to them
  */
@@ -45,6 +45,7 @@ export function secondStatus(status, { same, cells, has, groups, frames, reach }
       picking: same
         ? filters.picking
         : { enabled: filters.picking.enabled, isolated, hidden: below(hidden), shown: below(shown) },
+      parts: same ? filters.parts : { ...filters.parts, isolated: false, hidden: NONE, shown: NONE },
       groups: {
         ...filters.groups,
         hidden: filters.groups.hidden.filter(groups),
@@ -67,17 +68,17 @@ export function secondStatus(status, { same, cells, has, groups, frames, reach }
 export function fromSecond(partial, { same, frames }) {
   const { mesh, camera, filters, ...others } = partial;
   const { picking, ...rest } = filters ?? {};
-  /** @type {PartialStatus["compare"]} */
-  let compare = others.compare ?? {};
-  if (mesh) compare = { ...compare, other: mesh };
-  if (picking && !same) {
-    const { enabled: _, ...own } = picking;
-    compare = { ...compare, picking: own };
-  }
+  const { enabled, ...picked } = picking ?? {};
+  const compare = {
+    ...others.compare,
+    ...(mesh ? { other: mesh } : {}),
+    ...(same || !Object.keys(picked).length ? {} : { picking: picked }),
+  };
+  const shared = enabled === undefined ? rest : { ...rest, picking: { enabled } };
   return {
     ...others,
     ...(camera ? { camera: frames ? cameraIn(camera, frames.second, frames.first) : camera } : {}),
-    ...(filters ? { filters: picking && same ? filters : rest } : {}),
-    ...(mesh || others.compare || (picking && !same) ? { compare } : {}),
+    ...(filters ? { filters: same ? filters : shared } : {}),
+    ...(Object.keys(compare).length ? { compare } : {}),
   };
 }

@@ -58,7 +58,7 @@ export function tracedOf(tables, id) {
   return tables.traced.find((one) => one.id === id);
 }
 
-/** A number per cell out of a comparison. @param {Tables} tables @param {string} id */
+/** A number per cell out of a comparison. @param {Pick<Tables, "compared">} tables @param {string} id */
 export function comparedOf(tables, id) {
   return tables.compared.find((one) => one.id === id);
 }

@@ -85,3 +85,61 @@ test("S5: ticks far from 1 are told in three digits, so that no two that differ 
   const values = [0.00025, 0.0003, 5e-4, -1.234567e-5, 123456, 2.5e6, 1e5];
   assert.deepEqual(values.map(tickText), ["2.5e−4", "3e−4", "5e−4", "−1.23e−5", "1.23e5", "2.5e6", "1e5"]); // prettier-ignore
 });
+
+for (const orientation of /** @type {const} */ (["horizontal", "vertical"]))
+  for (const scale of /** @type {const} */ (["linear", "log"])) {
+    const frame = { width: 288, height: 132, orientation, scale };
+
+    test(`S6: a second mesh's outline stands on the scale of the bars, ${orientation}, ${scale}`, () => {
+      const same = { edges: DATA.edges, counts: DATA.counts };
+      const { bars, steps, plot, upright } = layOut({ ...DATA, beside: same }, frame);
+      const room = upright ? plot.height : plot.width;
+      for (const { bin, box } of bars) {
+        const length = upright ? box.height : box.width;
+        const [start, stop] = steps.slice(1 + 2 * bin, 3 + 2 * bin);
+        assert.deepEqual([start[0], stop[0]], [DATA.edges[bin], DATA.edges[bin + 1]]);
+        assert.ok(Math.abs(start[1] * room - length) < 1e-9 && start[1] === stop[1]);
+      }
+      assert.equal(steps.length, 2 * DATA.counts.length + 2);
+    });
+
+    test(`S6: the largest count is that of both meshes, ${orientation}, ${scale}`, () => {
+      const beside = { edges: DATA.edges, counts: [0, 0, 40, 0] };
+      const layout = layOut({ ...DATA, beside }, frame);
+      assert.equal(layout.highest, 40);
+      assert.equal(Math.max(...layout.steps.map(([, share]) => share)), 1);
+      const longest = layout.bars[0].box;
+      const room = layout.upright ? layout.plot.height : layout.plot.width;
+      const share = scale === "log" ? Math.log(11) / Math.log(41) : 10 / 40;
+      assert.ok(Math.abs((layout.upright ? longest.height : longest.width) - share * room) < 1e-9);
+      assert.equal(layOut({ ...DATA, beside: { ...beside, counts: [1, 1, 1, 1] } }, frame).highest, 10);
+    });
+  }
+
+test("S6: without a second mesh, or where no mesh has a value, there is no outline", () => {
+  const frame = /** @type {const} */ ({
+    width: 288,
+    height: 132,
+    orientation: "horizontal",
+    scale: "linear",
+  });
+  assert.deepEqual(layOut(DATA, frame).steps, []);
+  assert.deepEqual(layOut({ ...DATA, beside: null }, frame).steps, []);
+  const none = { ...DATA, counts: [0, 0, 0, 0], beside: { edges: DATA.edges, counts: [0, 0, 0, 0] } };
+  assert.deepEqual(layOut(none, frame).steps, []);
+});
+
+test("S6: scaled counts have a largest one in whole cells, and none stands out of the plot", () => {
+  const frame = /** @type {const} */ ({
+    width: 288,
+    height: 132,
+    orientation: "horizontal",
+    scale: "linear",
+  });
+  const { highest, steps } = layOut(
+    { ...DATA, beside: { edges: DATA.edges, counts: [0, 33.4, 0, 0] } },
+    frame,
+  );
+  assert.equal(highest, 33);
+  assert.equal(Math.max(...steps.map(([, share]) => share)), 1);
+});

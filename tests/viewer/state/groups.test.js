@@ -8,6 +8,8 @@ import {
   groupName,
   groupsInWords,
   groupsOf,
+  idOfFeature,
+  idsOfGroups,
   originName,
 } from "../../../static/viewer/state/groups.js";
 
@@ -88,4 +90,15 @@ test("F2: a legend names all groups in their order, or the largest of many and h
   assert.deepEqual(told(groupKeys(drawn, KNOWN, 3)), [[["STEEL", 3], ["A", 2], ["GLASS", 0]], 0]); // prettier-ignore
   assert.deepEqual(told(groupKeys(drawn, KNOWN, 2)), [[["STEEL", 3], ["GLASS", 0]], 1]); // prettier-ignore
   assert.deepEqual(told(groupKeys(null, KNOWN, 2)), [[], 0]);
+});
+
+test("S6: what settings may name of a mesh are its groups, and its features behind what they are of", () => {
+  assert.equal(idsOfGroups(new Facts()).size, 0);
+  const features = { edges: { groups: [group("reference:5")] }, faces: { groups: [group("reference:5")] } };
+  const facts = new Facts({ description: /** @type {any} */ ({ groups: KNOWN, features }) });
+  assert.deepEqual(
+    [...idsOfGroups(facts)],
+    [...KNOWN.map(({ id }) => id), "edges:reference:5", "faces:reference:5"],
+  );
+  assert.equal(idOfFeature("corners", group("mark:x")), "corners:mark:x");
 });
