@@ -49,6 +49,16 @@ export class Comparing {
     return this.#second;
   }
 
+  /** The mesh, and the second one if there is one. @returns {readonly Side[]} */
+  get sides() {
+    return [this.#app, ...(this.#second ? [this.#second] : [])];
+  }
+
+  /** Whether the mesh is compared with something. */
+  get stands() {
+    return this.#second !== null || this.#surface !== null;
+  }
+
   /** Whether this page can show a second mesh. */
   get possible() {
     return this.#make !== null;
@@ -181,8 +191,7 @@ export class Comparing {
 
   /** Statistics of a quantity for both, asked for where they are not known yet. @param {string} id */
   async measure(id) {
-    const sides = [this.#app, ...(this.#second ? [this.#second] : [])];
-    await Promise.all(sides.map((side) => side.measures.know(id)));
+    await Promise.all(this.sides.map((side) => side.measures.know(id)));
   }
 
   /** The metrics of both that were measured, as CSV. */
@@ -196,13 +205,12 @@ export class Comparing {
 
   /** The structure of both. */
   async trace() {
-    const sides = [this.#app, ...(this.#second ? [this.#second] : [])];
-    await Promise.all(sides.map(({ structured }) => structured.trace()));
+    await Promise.all(this.sides.map(({ structured }) => structured.trace()));
   }
 
   /** Bytes of memory that each core holds; null where that is not known. */
   get memory() {
-    return [this.#app, ...(this.#second ? [this.#second] : [])].map(({ client }) => client.memory);
+    return this.sides.map(({ client }) => client.memory);
   }
 
   /** At how many cells a metric got worse; null where the cells are others. @param {string} metric */
@@ -268,7 +276,7 @@ export class Comparing {
   /** @param {number} turn */
   async #matched(turn) {
     this.distances.forget();
-    if (this.#surface) return this.#takeSurface(this.#surface);
+    if (this.#surface) return this.#takeSurface(this.#surface, false);
     const [first, second] = [this.#app, this.#second];
     const there = [first, second].every(
       (side) => side?.facts.get("summary") && side.facts.get("core") === "ready",
@@ -280,8 +288,8 @@ export class Comparing {
     await Promise.all([first.drawing.update(), second.drawing.update()]);
   }
 
-  /** @param {TakeSurface} take */
-  async #takeSurface(take) {
+  /** @param {TakeSurface} take @param {boolean} [shown] whether it is drawn from now on, or as before */
+  async #takeSurface(take, shown = true) {
     const { facts, messages, store, drawing } = this.#app;
     if (!facts.get("summary"))
       return this.#fail(new Error("Open a mesh first, then what it is compared with"));
@@ -295,7 +303,7 @@ export class Comparing {
       if (told.surface?.notes.length)
         messages.say("note", told.surface.notes.join(" "), { topic: "compare" });
       const other = { ...store.defaults.compare.other, name: told.name };
-      store.set({ compare: { other, reference: { shown: true } } }, { undo: false });
+      store.set({ compare: { other, ...(shown ? { reference: { shown } } : {}) } }, { undo: false });
       await drawing.update();
     } catch (error) {
       if (!(error instanceof Superseded)) messages.error(error, { topic: "compare" });

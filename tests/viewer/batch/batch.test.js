@@ -43,12 +43,18 @@ test("B1: the table tells the unit of each mesh where one was named, and has no 
     store: { status: { unit } },
     tables: { metrics: [], statistics: [] },
     facts: { get: () => null },
-    opening: {
-      open: async () => ({ vertices: 8, cells: 1, boundary_faces: 6 }),
-      identified: Promise.resolve(),
+    opening: { open: async () => ({ vertices: 8, cells: 1, boundary_faces: 6 }) },
+    comparing: {
+      stands: false,
+      second: null,
+      sides: [
+        {
+          opening: { identified: Promise.resolve() },
+          drawing: { drawn: done },
+          measures: { measured: done, filled: Promise.resolve() },
+        },
+      ],
     },
-    drawing: { drawn: done },
-    measures: { measured: done },
     messages: { settle: () => {} },
     saving: { picture: async () => new Blob([]), histogram: async () => null },
   });
