@@ -61,7 +61,7 @@ function differenceOf(a, b) {
   return Object.fromEntries(
     DIFFERENCES.map((name) => {
       const [ours, theirs] = [a[name], b[name]];
-      return [name, ours === null || theirs === null ? null : theirs - ours];
+      return [name, typeof ours === "number" && typeof theirs === "number" ? theirs - ours : null];
     }),
   );
 }
