@@ -10,7 +10,7 @@ from pathlib import Path
 from playwright.sync_api import Error as PlaywrightError
 from playwright.sync_api import Locator
 
-from hexalab.hosts.rendering import RenderError, Viewer
+from hexalab.hosts.headless import RenderError, Viewer
 from hexalab.hosts.serving import make_server
 from hexalab.status import DEFAULTS, merge
 

@@ -18,7 +18,7 @@ from playwright.sync_api import Page
 
 from benchmarks.modes import LIGHTS
 from benchmarks.page import viewer
-from hexalab.hosts.rendering import PICTURE
+from hexalab.hosts.page_scripts import PICTURE
 from hexalab.surface import MODES
 
 FOLDER = Path(__file__).parent / "pictures"

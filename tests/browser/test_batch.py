@@ -14,18 +14,21 @@ import zipfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import pytest
 from PIL import Image
-from playwright.sync_api import Page
+from playwright.sync_api import Browser, Page
 
 import hexalab
+from hexalab.comparison import compare
 from hexalab.hosts.batching.records import KEPT
 from hexalab.hosts.batching.sources import Source
+from hexalab.reference import read_reference
 
 from .conftest import grid
 from .test_view import viewing, visited
-from .ui import until
+from .ui import status, until
 
 pytestmark = pytest.mark.browser
 ROOT = Path(__file__).parents[2]
@@ -172,6 +175,129 @@ def test_B3_a_batch_goes_on_where_it_was_left(words: list[str], tmp_path: Path, 
         row for row in csv.reader(io.StringIO(before["measurements.csv"].decode())) if row[0] == "box.mesh"
     )
     assert line == list(rows["box.mesh"].values())
+
+
+@pytest.fixture
+def pairs(tmp_path: Path) -> tuple[Path, Path]:
+    """Two folders: a mesh whose vertices have moved, one that is a surface in the second, and one that is not there."""
+    before, after = tmp_path / "before", tmp_path / "after"
+    for folder in (before, after):
+        (folder / "deep").mkdir(parents=True)
+    hexalab.write(grid(3, 3, 3, noise=0.1), before / "box.mesh")
+    hexalab.write(grid(3, 3, 3, noise=0.3), after / "box.mesh")
+    hexalab.write(grid(4, 1, 1), before / "deep" / "bar.vtk")
+    (after / "deep" / "bar.off").write_text("OFF\n3 1 0\n0 0 2\n4 0 2\n0 1 2\n3 0 1 2\n")
+    hexalab.write(grid(1, 1, 1), before / "lonely.mesh")
+    (tmp_path / "look.json").write_text(json.dumps(LOOK))
+    return before, after
+
+
+def rows_in(made: dict[str, bytes]) -> dict[str, dict[str, str]]:
+    """The table's rows, by the name of the mesh."""
+    return {row["name"]: row for row in csv.DictReader(io.StringIO(made["measurements.csv"].decode()))}
+
+
+def check_against(row: dict[str, str], facts: dict[str, Any]) -> None:
+    """Every column of a comparison has the number that the core gives."""
+    expected: dict[str, Any] = {
+        "same_cells": facts["same_connectivity"],
+        "volume_ratio": facts["volume_ratio"],
+        **{name: facts["distance"][name] for name in ("hausdorff", "hausdorff_percent")},
+    }
+    for way in ("a_to_b", "b_to_a"):
+        for name in ("max", "mean", "rms"):
+            for unit in ("", "_percent"):
+                expected[f"distance_{way}_{name}{unit}"] = facts["distance"][way][f"{name}{unit}"]
+    for metric, numbers in facts["difference"].items():
+        expected |= {f"{metric}_difference_{name}": value for name, value in numbers.items()}
+    for metric, counts in (facts["changes"] or {}).items():
+        expected |= {f"{metric}_{name}": counts[name] for name in ("worse", "better")}
+    for column, value in expected.items():
+        if value is None or isinstance(value, bool):
+            assert row[column] == ("" if value is None else str(value).lower()), column
+        else:
+            assert float(row[column]) == value, column
+    columns = list(row)
+    compared = {column for column in columns[columns.index("with") :] if row[column] != ""}
+    assert compared - {"with"} == {column for column, value in expected.items() if value is not None}
+
+
+def test_B2_each_mesh_is_compared_with_its_counterpart(pairs: tuple[Path, Path], tmp_path: Path) -> None:
+    before, after = pairs
+    look = ["--status", tmp_path / "look.json", "--width", "240", "--height", "100"]
+    words = ["batch", before, "--with", after, *look]
+    done = hexalab_says(*words, "-o", tmp_path / "out")
+    assert (done.returncode, done.stdout) == (1, f"{tmp_path / 'out'}: 2 of 3 meshes\n")
+    assert done.stderr == f"hexalab: lonely.mesh: {after} holds nothing of this name to compare with\n"
+    made = contents(tmp_path / "out")
+    rows = rows_in(made)
+    assert [rows[name]["with"] for name in rows] == ["box.mesh", "deep/bar.off", ""]
+    a, b = (hexalab.read(folder / "box.mesh") for folder in pairs)
+    check_against(rows["box.mesh"], compare(a, b))
+    bar = hexalab.read(before / "deep" / "bar.vtk")
+    check_against(rows["deep/bar.vtk"], compare(bar, read_reference(after / "deep" / "bar.off")))
+    told = {one["name"]: one for one in json.loads(made["measurements.json"])["meshes"]}
+    assert told["box.mesh"]["comparison"]["changes"] == compare(a, b)["changes"]
+    assert told["deep/bar.vtk"]["comparison"]["with"] == "deep/bar.off"
+    picture = Image.open(io.BytesIO(made["box.png"])).convert("RGB")
+    ground = (0x33, 0x66, 0x99)
+    assert picture.size == (240, 100)
+    for left in (0, 120):
+        half = picture.crop((left, 0, left + 120, 84))  # labels are below
+        assert sum(pixel != ground for pixel in half.get_flattened_data()) > 500, "both are in it"
+
+    hexalab.write(grid(3, 3, 3), after / "box.mesh")
+    again = hexalab_says(*words, "-o", tmp_path / "out", "--resume", "--jobs", "2")
+    assert (again.returncode, again.stdout) == (1, f"{tmp_path / 'out'}: 2 of 3 meshes, 1 of them before\n")
+    check_against(rows_in(contents(tmp_path / "out"))["box.mesh"], compare(a, grid(3, 3, 3)))
+
+
+def test_B1_the_page_compares_each_of_an_archive_with_what_it_shows(
+    pairs: tuple[Path, Path], tmp_path: Path, chromium: Browser
+) -> None:
+    before, after = pairs
+    (before / "lonely.mesh").unlink()
+    archive = zipped(before, tmp_path / "before.zip")
+    other = after / "box.mesh"
+    with (
+        viewing(before / "deep" / "bar.vtk", other, "--compare") as program,
+        visited(chromium, program.address) as page,
+    ):
+        until(lambda: page.evaluate("() => window.hexalab.comparison()?.second?.cells") == 27)
+        look = {**LOOK, "compare": {"layout": "curtain"}, "colour": {"by": "quality"}}
+        page.evaluate("(look) => window.hexalab.setStatus(look)", look)
+        here = status(page)
+        page.set_input_files("#file", archive)
+        dialog = page.locator("#batch")
+        until(dialog.is_visible)
+        assert "Each is compared with box.mesh: its picture shows both" in dialog.inner_text()
+        dialog.get_by_label("Width").fill("240")
+        dialog.get_by_label("Width").press("Enter")
+        with page.expect_download(timeout=120_000) as waiting:
+            dialog.get_by_role("button", name="Start").click()
+        made = contents(Path(waiting.value.path()))
+        assert status(page) == here
+        assert page.evaluate("() => window.hexalab.comparison().second.cells") == 27
+        assert page.evaluate("() => window.hexalab.summary().cells") == 4
+
+        page.evaluate(
+            "(file) => window.hexalab.compare(new File([file], 'bar.off'))",
+            (after / "deep" / "bar.off").read_text(),
+        )
+        page.evaluate("() => window.hexalab.setStatus({ compare: { reference: { shown: false } } })")
+        here = status(page)
+        film = batch_of_page(page, archive.read_bytes(), tmp_path)
+        assert status(page) == here and not here["compare"]["reference"]["shown"]
+        assert page.evaluate("() => window.hexalab.comparison().name") == "bar.off"
+    rows = rows_in(made)
+    assert [(row["with"], row["problem"]) for row in rows.values()] == [("box.mesh", "")] * 2
+    for name, row in rows.items():
+        check_against(row, compare(hexalab.read(before / name), hexalab.read(other)))
+    assert Image.open(io.BytesIO(made["box.png"])).size == (240, 960)
+    surface = read_reference(after / "deep" / "bar.off")
+    for name, row in rows_in(film).items():
+        check_against(row, compare(hexalab.read(before / name), surface))
+    assert Image.open(io.BytesIO(film["box.png"])).size == (120, 80)
 
 
 def test_B3_an_interrupted_batch_leaves_what_is_done(words: list[str], tmp_path: Path) -> None:

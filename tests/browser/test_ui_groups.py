@@ -15,7 +15,7 @@ from PIL import Image
 from playwright.sync_api import Browser, Locator, Page
 
 import hexalab
-from hexalab.hosts.rendering import PICTURE
+from hexalab.hosts.page_scripts import PICTURE
 
 from . import grouped, ui
 from .test_ui_page import AXE, violations

@@ -36,6 +36,10 @@ def configure(parser: ArgumentParser) -> None:
         "-o", "--out", type=Path, required=True, metavar="FOLDER_OR_ZIP",
         help="where pictures (NAME.png), histograms (NAME-METRIC.png, .svg) and measurements (.csv, .json) go",
     )  # fmt: skip
+    parser.add_argument(
+        "--with", type=Path, dest="other", metavar="OTHER",
+        help="compare each with this mesh or surface; or, if it is a folder or zip, with what has the same path in it",
+    )  # fmt: skip
     parser.add_argument("--status", type=Path, metavar="JSON", help=HELP)
     parser.add_argument(
         "--figures", action="store_true", help="pictures are figures, as the settings ask for"
@@ -60,7 +64,7 @@ def run(arguments: Namespace) -> int:
     status = read_status(arguments.status) if arguments.status else {}
     look = Look(status, arguments.width, arguments.height, arguments.figures)
     results = Results(arguments.out)
-    jobs = jobs_in(arguments.meshes, look, results.folder)
+    jobs = jobs_in(arguments.meshes, look, results.folder, arguments.other)
     results.begin(arguments.resume)
     before = {job.stem: kept(job) for job in jobs} if arguments.resume else {}
     outcomes = {stem: outcome for stem, outcome in before.items() if outcome is not None}

@@ -7,7 +7,7 @@ from argparse import ArgumentParser, ArgumentTypeError, Namespace
 from pathlib import Path
 
 from ..errors import HexaLabError
-from ..hosts.offers import FileOffer
+from ..hosts.offers import FileOffer, other_file
 from . import settings
 
 LARGEST_SIDE = 8192
@@ -23,6 +23,13 @@ def side(text: str) -> int:
 def configure(parser: ArgumentParser) -> None:
     """Declare the verb's arguments."""
     parser.add_argument("file", type=Path, metavar="FILE", help="a mesh file; may be gzipped")
+    parser.add_argument(
+        "--with",
+        type=Path,
+        dest="other",
+        metavar="OTHER",
+        help="what it is compared with: another mesh, seen in the same picture, or a reference surface, drawn over it",
+    )
     parser.add_argument(
         "-o",
         "--out",
@@ -50,7 +57,8 @@ def configure(parser: ArgumentParser) -> None:
 
 def run(arguments: Namespace) -> int:
     """Draw; what of the settings could not be applied goes to stderr."""
-    from ..hosts.rendering import FIGURES, HEIGHT, WIDTH, Renderer
+    from ..hosts.headless import FIGURES, HEIGHT, WIDTH
+    from ..hosts.rendering import Renderer
 
     out: Path = arguments.out
     form = out.suffix.lower().lstrip(".") or "png"
@@ -64,17 +72,24 @@ def run(arguments: Namespace) -> int:
     status = settings.read_status(arguments.status) if arguments.status else None
     mesh = FileOffer(arguments.file, arguments.file.name)
     mesh.mesh()  # what can't be read is told before a browser is started
+    beside = other_file(arguments.other) if arguments.other else None
     size = {"width": arguments.width, "height": arguments.height}
     with Renderer() as renderer:
         if figure:
-            picture = renderer.figure(mesh, status, format=form, **size)
+            picture = renderer.figure(mesh, status, format=form, **size, beside=beside)
         else:
             size = {"width": arguments.width or WIDTH, "height": arguments.height or HEIGHT}
-            picture = renderer.render(mesh, status, **size, transparent=arguments.transparent)
-    out.write_bytes(picture.data)
+            picture = renderer.render(mesh, status, **size, transparent=arguments.transparent, beside=beside)
+    files = {out: picture.data}
+    if picture.second is not None:
+        places = [out.with_name(f"{out.stem}-{side}{out.suffix}") for side in "AB"]
+        files = dict(zip(places, (picture.data, picture.second), strict=True))
+    for place, data in files.items():
+        place.write_bytes(data)
     for rejection in picture.rejections:
         words = f"{rejection['path']}: found {rejection['found']}, expected {rejection['expected']}"
         print(f"hexalab: {arguments.status}: {words}", file=sys.stderr)
     pixels = "" if figure else f"{size['width']} x {size['height']} pixels, "
-    print(f"{out}: {pixels}{len(picture.data):,} bytes")
+    for place, data in files.items():
+        print(f"{place}: {pixels}{len(data):,} bytes")
     return 0

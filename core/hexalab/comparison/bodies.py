@@ -9,7 +9,7 @@ from ..diagnosis import turn_round
 from ..errors import MeshReadError, NoCellsError
 from ..formats import read
 from ..mesh import Mesh
-from ..reference import TriangleSurface, is_surface, read_reference
+from ..reference import TriangleSurface, faces_alone, is_surface, read_reference
 
 HEAD = 8192
 """Bytes by which a surface is told from a mesh."""
@@ -27,8 +27,8 @@ def read_body(path: str | os.PathLike[str]) -> Mesh | TriangleSurface:
         return read_reference(path)
     try:
         return turn_round(read(path))
-    except NoCellsError:
-        return read_reference(path)
+    except NoCellsError as found:
+        return faces_alone(found)
 
 
 def holds_surface(path: str | os.PathLike[str]) -> bool:

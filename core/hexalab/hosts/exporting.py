@@ -6,8 +6,10 @@ import base64
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
+from .headless import Rejection
 from .offers import Offer
-from .rendering import BASE64, Rejection, Renderer
+from .page_scripts import BASE64
+from .rendering import Renderer
 
 EXPORT = f"""async ({{ method, args }}) => {{
   try {{

@@ -95,7 +95,9 @@ class Loopback(ThreadingHTTPServer):
     compare : str, optional
         The offer that pages compare the first with.
     grace : float
-        Seconds that the session of a page that has gone is kept.
+        Seconds that the session of a page is kept that has not come, or has gone.
+    parting : float, optional
+        The same of one that has gone, where it is less.
     viewer : Path, optional
         Folder of the viewer's files; the built one by default.
 
@@ -121,6 +123,7 @@ class Loopback(ThreadingHTTPServer):
         opens: bool = True,
         compare: str | None = None,
         grace: float = GRACE,
+        parting: float | None = None,
         viewer: Path | None = None,
     ) -> None:
         self.offers = offers
@@ -136,6 +139,7 @@ class Loopback(ThreadingHTTPServer):
         self.token = secrets.token_urlsafe(32)
         self._ticket = secrets.token_urlsafe(32)
         self._grace = grace
+        self._parting = grace if parting is None else parting
         self._seats: dict[str, Listener] = {}
         self._lock = threading.Lock()
         self.address_family = socket.AF_INET6 if ":" in host else socket.AF_INET
@@ -197,7 +201,7 @@ class Loopback(ThreadingHTTPServer):
         """Seat a page, and say what it can open."""
         with self._lock:
             self._seats[seat] = Listener(self.offers)
-        self.leave_later(seat)
+        self._leave_in(self._grace, seat)
         return {
             "version": __version__,
             "token": self.token,
@@ -214,8 +218,11 @@ class Loopback(ThreadingHTTPServer):
             return self._seats.get(name)
 
     def leave_later(self, name: str) -> None:
-        """Let a page's session go, if no page listens for it in a while."""
-        timer = threading.Timer(self._grace, self._forget, [name])
+        """Let the session of a page that has gone go, if none listens for it in a while."""
+        self._leave_in(self._parting, name)
+
+    def _leave_in(self, seconds: float, name: str) -> None:
+        timer = threading.Timer(seconds, self._forget, [name])
         timer.daemon = True
         timer.start()
 

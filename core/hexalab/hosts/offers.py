@@ -1,4 +1,4 @@
-"""Meshes that a host has at hand for its viewers: files of this machine, each version read once."""
+"""Meshes and surfaces that a host has at hand for its viewers: files, each version read once."""
 
 from __future__ import annotations
 
@@ -7,13 +7,14 @@ import os
 import threading
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Protocol, runtime_checkable
 
-from ..errors import HexaLabError
+from ..errors import NoCellsError
 from ..formats import read, read_bytes
 from ..mesh import Mesh
-from ..reference import TriangleSurface, is_surface, read_reference
+from ..reference import TriangleSurface, is_surface, read_reference, read_reference_bytes
 from ..session import prepared
 
 HEAD = 8192
@@ -53,6 +54,33 @@ class Offer(Protocol):
 
     def size(self) -> int | None:
         """Bytes of that file; None where there is none."""
+
+
+@runtime_checkable
+class SurfaceOffer(Protocol):
+    """A reference surface that a host has at hand, to compare a mesh with."""
+
+    @property
+    def name(self) -> str:
+        """Shown to the user."""
+
+    def surface(self) -> TriangleSurface:
+        """The surface.
+
+        Raises
+        ------
+        MeshReadError
+            It can't be read, or is not there.
+        """
+
+    def hasher(self) -> Callable[[], str]:
+        """As that of an `Offer`."""
+
+    def size(self) -> int | None:
+        """As that of an `Offer`."""
+
+
+AnyOffer = Offer | SurfaceOffer
 
 
 class File:
@@ -125,7 +153,7 @@ class FileOffer(File):
             return
 
 
-class SurfaceOffer(File):
+class SurfaceFileOffer(File):
     """A file with a reference surface, to be compared with again and again; the version that was read last is kept."""
 
     def __init__(self, path: Path, name: str) -> None:
@@ -147,11 +175,8 @@ class SurfaceOffer(File):
             return self._read[1]
 
 
-AnyOffer = Offer | SurfaceOffer
-
-
 @dataclass(frozen=True)
-class BytesOffer:
+class Bytes:
     """A file whose bytes are at hand, such as one out of an archive.
 
     Parameters
@@ -167,10 +192,6 @@ class BytesOffer:
     data: bytes
     companions: Mapping[str, bytes] = field(default_factory=dict)
 
-    def mesh(self) -> Mesh:
-        """Read it; errors as for `Offer`."""
-        return prepared(read_bytes(self.data, self.name, self.companions))
-
     def hasher(self) -> Callable[[], str]:
         """What hashes its bytes."""
         return lambda: hashlib.sha256(self.data).hexdigest()
@@ -180,34 +201,28 @@ class BytesOffer:
         return len(self.data)
 
 
-class Easel:
-    """Holds one offer after the other, for a page that is shown many."""
-
-    def __init__(self) -> None:
-        self.offer: Offer | None = None
-
-    @property
-    def name(self) -> str:
-        """That of what is on it; "" while nothing is."""
-        return self.offer.name if self.offer else ""
+class BytesOffer(Bytes):
+    """A mesh out of bytes that are at hand; it is read once."""
 
     def mesh(self) -> Mesh:
-        """The mesh that is on it."""
-        return self._present.mesh()
+        """The mesh; errors as for `Offer`."""
+        return self._mesh
 
-    def hasher(self) -> Callable[[], str]:
-        """That of what is on it now, whatever is there when it is called."""
-        return self.offer.hasher() if self.offer else str
+    @cached_property
+    def _mesh(self) -> Mesh:
+        return prepared(read_bytes(self.data, self.name, self.companions))
 
-    def size(self) -> int | None:
-        """That of what is on it."""
-        return self._present.size()
 
-    @property
-    def _present(self) -> Offer:
-        if self.offer is None:
-            raise HexaLabError("nothing is on the easel")
-        return self.offer
+class SurfaceBytesOffer(Bytes):
+    """A reference surface out of bytes that are at hand; it is read once."""
+
+    def surface(self) -> TriangleSurface:
+        """The surface; errors as for `SurfaceOffer`."""
+        return self._surface
+
+    @cached_property
+    def _surface(self) -> TriangleSurface:
+        return read_reference_bytes(self.data, self.name, self.companions)
 
 
 def file_offers(paths: Sequence[Path]) -> dict[str, FileOffer]:
@@ -215,12 +230,41 @@ def file_offers(paths: Sequence[Path]) -> dict[str, FileOffer]:
     return {str(place): FileOffer(path, name) for place, (path, name) in enumerate(_named(paths))}
 
 
-def compared_offers(paths: Sequence[Path]) -> dict[str, FileOffer | SurfaceOffer]:
+def compared_offers(paths: Sequence[Path]) -> dict[str, FileOffer | SurfaceFileOffer]:
     """The same for files that are compared: all but the first may be reference surfaces."""
     return {
-        str(place): (SurfaceOffer if place and _holds_surface(path) else FileOffer)(path, name)
+        str(place): (SurfaceFileOffer if place and _holds_surface(path) else FileOffer)(path, name)
         for place, (path, name) in enumerate(_named(paths))
     }
+
+
+def other_file(path: Path) -> AnyOffer:
+    """Read the other of two that are compared: a mesh; or a surface, where there are no volumetric cells.
+
+    Raises
+    ------
+    MeshReadError
+        It is neither.
+    """
+    return _read(FileOffer(path, path.name), SurfaceFileOffer(path, path.name), _holds_surface(path))
+
+
+def other_bytes(name: str, data: bytes, companions: Mapping[str, bytes]) -> AnyOffer:
+    """The same of bytes that are at hand; see `Bytes`."""
+    offers = BytesOffer(name, data, companions), SurfaceBytesOffer(name, data, companions)
+    return _read(*offers, is_surface(data, name))
+
+
+def _read(mesh: Offer, surface: SurfaceOffer, told: bool) -> AnyOffer:
+    """Read a file as what it is; `told`: whether it is known for a surface."""
+    if not told:
+        try:
+            mesh.mesh()
+            return mesh
+        except NoCellsError:
+            pass
+    surface.surface()
+    return surface
 
 
 def _named(paths: Sequence[Path]) -> list[tuple[Path, str]]:

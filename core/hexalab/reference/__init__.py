@@ -15,6 +15,7 @@ from ..errors import MeshReadError
 from ..formats.companions import beside, together
 from ..formats.container import unwrapped
 from ..formats.file import File
+from .others import faces_alone
 from .others import read as read_other
 from .registry import REFERENCE_FORMATS, ReferenceFormat, format_of, is_surface
 from .surface import TriangleSurface, boundary_of
@@ -24,6 +25,7 @@ __all__ = [
     "ReferenceFormat",
     "TriangleSurface",
     "boundary_of",
+    "faces_alone",
     "is_surface",
     "read_reference",
     "read_reference_bytes",

@@ -21,7 +21,7 @@ def read(file: File) -> TriangleSurface:
     try:
         mesh = turn_round(format_of(file).read(file))
     except NoCellsError as error:
-        return faces_of(file, error)
+        return faces_alone(error)
     surface = boundary_of(mesh)
     if not surface.count:
         raise file.error("the cells of the mesh leave no face on its boundary, expected a surface")
@@ -42,12 +42,19 @@ def format_of(file: File) -> Format:
         ) from None
 
 
-def faces_of(file: File, found: NoCellsError) -> TriangleSurface:
-    """The triangles and quadrilaterals of a file without cells."""
+def faces_alone(found: NoCellsError) -> TriangleSurface:
+    """Make the triangles and quadrilaterals of a file without cells a surface.
+
+    Raises
+    ------
+    MeshReadError
+        It has none of them either.
+    """
+    name = found.file
     faces = next((part.corners for part in found.features if part.dimension == 2), None)
     if faces is None:
         raise MeshReadError(
-            "the file has neither faces nor volumetric cells, expected a surface or a mesh", file=file.name
+            "the file has neither faces nor volumetric cells, expected a surface or a mesh", file=name
         )
     triangles = triangles_of_faces(found.coordinates, np.ascontiguousarray(faces))
-    return finished(file, found.format, found.coordinates, triangles, list(found.notes))
+    return finished(name, found.format, found.coordinates, triangles, list(found.notes))

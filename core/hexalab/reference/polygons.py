@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..arrays import Array, Floats, Ids
+from ..errors import MeshReadError
 from ..formats.byte_order import native
 from ..formats.file import File
 from ..formats.ids import LARGEST_ID, as_int32
@@ -82,11 +83,11 @@ def surface_of(
             f"Faces of more than four corners ({many:,}) were cut into triangles as fans from their first corners: "
             "of one that is not convex, triangles may lie outside of it."
         )
-    return finished(file, format_id, points, np.concatenate(triangles, axis=1), notes)
+    return finished(file.name, format_id, points, np.concatenate(triangles, axis=1), notes)
 
 
 def finished(
-    file: File, format_id: str, points: Floats, triangles: Ids, notes: list[str], what: str = "faces"
+    name: str, format_id: str, points: Floats, triangles: Ids, notes: list[str], what: str = "faces"
 ) -> TriangleSurface:
     """The surface of (3, T) triangles without those that have a vertex twice; raises MeshReadError if none is left."""
     a, b, c = triangles
@@ -97,8 +98,8 @@ def finished(
         notes.append(f"Left out, as they have a vertex twice: triangles ({count:,}).")
     if not triangles.shape[1]:
         of_them = f" ({' '.join(notes[:2])})" if notes else ""
-        raise file.error(f"the file has no {what}, expected a surface{of_them}")
-    return TriangleSurface(points, triangles, file.name, format_id, notes)
+        raise MeshReadError(f"the file has no {what}, expected a surface{of_them}", file=name)
+    return TriangleSurface(points, triangles, name, format_id, notes)
 
 
 def checked_ids(polygons: Polygons, vertex_count: int) -> Array:

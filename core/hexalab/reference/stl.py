@@ -127,4 +127,4 @@ def joined(file: File, axes: list[Array], error_at: ErrorAt, notes: list[str]) -
     first, ids = welded(axes)
     points = np.stack([axis[first] for axis in axes]).astype(np.float64)
     points += 0.0  # -0 becomes 0, whichever of the two came first
-    return finished(file, "stl", points, np.ascontiguousarray(ids.reshape(-1, 3).T), notes, "triangles")
+    return finished(file.name, "stl", points, np.ascontiguousarray(ids.reshape(-1, 3).T), notes, "triangles")

@@ -13,11 +13,11 @@ from typing import Any
 import numpy as np
 
 from ..comparison import CHANGE, Counterpart, counterpart_of, fingerprint, moved, volume_of
-from ..errors import HexaLabError
+from ..errors import HexaLabError, NoCellsError
 from ..mesh import Mesh
 from ..packing import jsonable
 from ..quality import METRICS
-from ..reference import TriangleSurface, boundary_of, read_reference_bytes
+from ..reference import TriangleSurface, boundary_of, faces_alone, read_reference_bytes
 from .compared import ComparedBook
 from .opened import Opened
 from .picture import Picture
@@ -126,7 +126,11 @@ class Comparing(ABC):
             return self._begin_comparing(counterpart_of(mesh, self._surfaces[name](), second))
         if name not in self._offers:
             raise HexaLabError(f"nothing is offered by the name of {name!r}")
-        return self._begin_comparing(counterpart_of(mesh, self._offers[name](), second))
+        try:
+            other: Mesh | TriangleSurface = self._offers[name]()
+        except NoCellsError as found:
+            other = faces_alone(found)
+        return self._begin_comparing(counterpart_of(mesh, other, second))
 
     def compare_with_surface(
         self, name: str, data: Block, companions: Mapping[str, Block] | None = None

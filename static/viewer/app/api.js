@@ -105,15 +105,17 @@ export class HexaLab {
     await this.#app.drawing.drawn();
   }
 
-  /** Resolves when the open mesh is identified by its SHA-256, which then stands in the status. @returns {Promise<void>} */
-  identified() {
-    return this.#app.opening.identified;
+  /** Resolves when the open mesh is identified by its SHA-256, and a second one by its own; which then stand in the status. @returns {Promise<void>} */
+  async identified() {
+    await Promise.all(this.#app.comparing.sides.map(({ opening }) => opening.identified));
   }
 
   /** Resolves when the lighting has converged. @returns {Promise<void>} */
   async settled() {
-    await this.#app.drawing.drawn();
-    await this.#app.scene.settled();
+    for (const { drawing, scene } of this.#app.comparing.sides) {
+      await drawing.drawn();
+      await scene.settled();
+    }
   }
 
   /**
@@ -235,7 +237,7 @@ export class HexaLab {
   }
 
   /**
-   * Draw and measure every mesh of an archive (SPEC B1).
+   * Draw and measure every mesh of an archive (SPEC B1), and compare each with what the open mesh is compared with.
    *
    * @param {Blob} archive a zip of meshes; `name.json` beside a mesh is its own status
    * @param {unknown} [status] whole or partial, for all others; the present one without
@@ -250,12 +252,13 @@ export class HexaLab {
   /**
    * Draw and measure a mesh that is at hand, as `batch` does each of an archive.
    *
-   * @param {string} id @param {{ name: string, stem: string, layers: unknown[], width?: number, height?: number, figures?: boolean }} how
-   *   what it and its files are called, and the documents that make up its settings
+   * @param {string} id
+   * @param {{ name: string, stem: string, layers: unknown[], width?: number, height?: number, figures?: boolean, beside?: import("../batch/batch.js").Beside }} how
+   *   what it and its files are called, the documents that make up its settings, and what it is compared with meanwhile
    * @returns {Promise<{ measured: import("../batch/batch.js").Measured, row: import("../batch/batch.js").Row, made: import("../batch/batch.js").Made[] }>}
    */
-  async portray(id, { name, stem, layers, width, height, figures = false }) {
-    const how = { layers: async () => layers, size: { width, height }, figures };
+  async portray(id, { name, stem, layers, width, height, figures = false, beside }) {
+    const how = { layers: async () => layers, size: { width, height }, figures, beside };
     const { measured, made } = await this.#app.batch.portray(name, stem, { name, offered: id }, how);
     return { measured, row: rowOf(measured), made };
   }
@@ -267,7 +270,7 @@ export class HexaLab {
    * @returns {Promise<import("../state/answers.js").Compared | null>} what it is compared with; null if the page lost it again
    */
   async compare(fileOrUrl) {
-    const { comparing, facts } = this.#app;
+    const { comparing } = this.#app;
     if (fileOrUrl instanceof Blob) {
       const file = fileOrUrl instanceof File ? fileOrUrl : new File([fileOrUrl], "mesh");
       await comparing.openFiles([file]);
@@ -277,17 +280,24 @@ export class HexaLab {
       if (mesh && catalogue?.entry(source, mesh)) await comparing.openEntry(source, mesh);
       else await comparing.openUrl(fileOrUrl);
     }
-    await comparing.matched;
-    await this.#app.drawing.drawn();
-    await comparing.second?.drawing.drawn();
-    return facts.get("comparison");
+    return this.#compared();
   }
 
   /** Compare with what is at hand; see `offers`. @param {string} id @returns {Promise<import("../state/answers.js").Compared | null>} */
   async compareOffered(id) {
     await this.#app.comparing.openOffered(id);
-    await this.#app.comparing.matched;
-    return this.#app.facts.get("comparison");
+    return this.#compared();
+  }
+
+  /** When both know of each other, and are drawn with all that is drawn of them. */
+  async #compared() {
+    const { comparing, facts } = this.#app;
+    await comparing.matched;
+    for (const { drawing, measures } of comparing.sides) {
+      await measures.filled;
+      await drawing.drawn();
+    }
+    return facts.get("comparison");
   }
 
   /** What the open mesh is compared with, and what is known of a second one; null while there is none. */

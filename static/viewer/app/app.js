@@ -129,9 +129,10 @@ export class App extends Side {
   adopt(origin, summary) {
     const { facts, store } = this;
     const before = facts.get("summary");
-    const { status, touched } = store;
+    const { status } = store;
     const alike = before?.cells === summary.cells;
-    const changed = new Set(touched);
+    const changed = new Set(store.touched);
+    const touched = new Set([...changed, ...(this.comparing.stands ? ["compare"] : [])]); // with what it is compared stays
     const { settings, kept } = openingSettings(
       ownView(store.defaults, summary.view, origin.entry?.mesh.view),
       {

@@ -52,6 +52,16 @@ export class Comparing {
     return this.#second;
   }
 
+  /** The mesh, and the second one if there is one. @returns {readonly Side[]} */
+  get sides() {
+    return [this.#app, ...(this.#second ? [this.#second] : [])];
+  }
+
+  /** Whether the mesh is compared with something. */
+  get stands() {
+    return this.#second !== null || this.#surface !== null;
+  }
+
   /** Whether this page can show a second mesh. */
   get possible() {
     return this.#make !== null;
@@ -104,11 +114,11 @@ export class Comparing {
   async openOffered(id) {
     const offer = this.#app.facts.get("offers").find((one) => one.id === id);
     if (!offer) return this.#fail(new Error(`nothing is offered by the name of ${id}`));
-    if (offer.surface) {
+    const asSurface = async () => {
       await this.#takeSurface(() => this.#app.client.call("compare_with_offered", [id]), id);
-      return this.#app.steps.beside(null);
-    }
-    await this.#open({ name: offer.name, offered: id }, null);
+      this.#app.steps.beside(null);
+    };
+    await (offer.surface ? asSurface() : this.#open({ name: offer.name, offered: id }, null, asSurface));
   }
 
   /** Take what is compared with as its file is now, if it is the one at hand by this name. @param {string} id @returns {Promise<boolean>} whether it is */
@@ -190,8 +200,7 @@ export class Comparing {
 
   /** Statistics of a quantity for both, asked for where they are not known yet. @param {string} id */
   async measure(id) {
-    const sides = [this.#app, ...(this.#second ? [this.#second] : [])];
-    await Promise.all(sides.map((side) => side.measures.know(id)));
+    await Promise.all(this.sides.map((side) => side.measures.know(id)));
   }
 
   /** The metrics of both that were measured, as CSV. */
@@ -205,13 +214,12 @@ export class Comparing {
 
   /** The structure of both. */
   async trace() {
-    const sides = [this.#app, ...(this.#second ? [this.#second] : [])];
-    await Promise.all(sides.map(({ structured }) => structured.trace()));
+    await Promise.all(this.sides.map(({ structured }) => structured.trace()));
   }
 
   /** Bytes of memory that each core holds; null where that is not known. */
   get memory() {
-    return [this.#app, ...(this.#second ? [this.#second] : [])].map(({ client }) => client.memory);
+    return this.sides.map(({ client }) => client.memory);
   }
 
   /** At how many cells a metric got worse; null where the cells are others. @param {string} metric */
@@ -303,8 +311,14 @@ export class Comparing {
     await Promise.all([first.drawing.update(), second.drawing.update()]);
   }
 
-  /** @param {TakeSurface} take @param {string | null} [offered] what the core has it at hand by */
+  /**
+   * A surface that was there already stays shown or hidden as it is.
+   *
+   * @param {TakeSurface} take
+   * @param {string | null} [offered] what the core has it at hand by
+   */
   async #takeSurface(take, offered = null) {
+    const again = take === this.#surface;
     const { facts, messages, store, drawing } = this.#app;
     if (!facts.get("summary"))
       return this.#fail(new Error("Open a mesh first, then what it is compared with"));
@@ -321,8 +335,8 @@ export class Comparing {
       if (told.surface?.notes.length)
         messages.say("note", told.surface.notes.join(" "), { topic: "compare" });
       const { other, picking } = store.defaults.compare;
-      const compare = { other: { ...other, name: told.name }, picking, reference: { shown: true } };
-      store.set({ compare }, { undo: false });
+      const compare = { other: { ...other, name: told.name }, picking };
+      store.set({ compare: again ? compare : { ...compare, reference: { shown: true } } }, { undo: false });
       await drawing.update();
     } catch (error) {
       if (!(error instanceof Superseded)) messages.error(error, { topic: "compare" });

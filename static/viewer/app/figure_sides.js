@@ -11,6 +11,9 @@ import { curtained } from "../figure/curtain.js";
 /** The letters of the panels. */
 const LETTERS = "abcdef";
 
+/** The letters of the meshes, where their names are the same. */
+const SIDES = "AB";
+
 export class FigureSides {
   #app;
 
@@ -50,9 +53,10 @@ export class FigureSides {
   labels(panels, lettered) {
     const named = this.sides.length > 1 && this.#app.store.status.compare.labels;
     if (!named && !lettered) return [];
-    const names = this.sides.map(
+    const own = this.sides.map(
       ({ facts }) => facts.get("entry")?.mesh.name ?? facts.get("summary")?.name ?? "",
     );
+    const names = new Set(own).size < own.length ? own.map((name, side) => `${SIDES[side]}: ${name}`) : own;
     return Array.from({ length: panels }, (_, panel) => {
       const letter = lettered ? `${LETTERS[panel]})` : "";
       if (!named) return Array.from({ length: this.perPose }, () => [letter]);

@@ -309,8 +309,9 @@ export class Figures {
     const own = store.status.figure.caption_text.trim();
     if (own) return own;
     const second = facts.get("second");
-    if (second) return `A: ${whereFrom(facts)} B: ${whereFrom(second)}`;
-    return whereFrom(facts);
+    const first = whereFrom(facts);
+    if (second) return `A: ${first}${first.endsWith(".") ? "" : ";"} B: ${whereFrom(second)}`;
+    return first;
   }
 
   /** Tips of the axes in the view's frame. @returns {[number, number, number][]} */

@@ -57,6 +57,12 @@ function checkSize(options) {
   }
 }
 
+/** Whose histogram it is, and whose is over it. @param {{ beside: object | null }} data @param {import("../state/facts.js").Facts} facts */
+function namesIn({ beside }, facts) {
+  const name = facts.get("summary")?.name ?? "";
+  return beside ? `${name}; line: ${facts.get("second")?.get("summary")?.name ?? ""}` : name;
+}
+
 /** What leaves the page: pictures, histograms, settings, links. */
 export class Saving {
   #app;
@@ -123,7 +129,7 @@ export class Saving {
     });
   }
 
-  /** The figure that the status asks for, in pixels, as a PNG. @param {{ width?: number, height?: number }} size */
+  /** The figure that the status asks for, as a PNG. @param {{ width?: number, height?: number } | null} size pixels, instead of what the status asks for */
   figure(size) {
     return this.#app.figures.file("png", size);
   }
@@ -156,8 +162,7 @@ export class Saving {
       colour: mapColours(colour, highFirst),
       keys: keysOf(data, colour, highFirst),
       acceptable: quantity.acceptable,
-      title:
-        histogram.title || `${titled(quantity.name, quantity.unit)}, ${facts.get("summary")?.name ?? ""}`,
+      title: histogram.title || `${titled(quantity.name, quantity.unit)}, ${namesIn(data, facts)}`,
     };
     const { svg, width, height } = printed(scale, histogram);
     if (format === "svg") return new Blob([textOf(svg)], { type: "image/svg+xml" });

@@ -17,11 +17,14 @@ export class Views {
     app.scene.on("blank", () => this.fitShown());
   }
 
-  /** The settings that the open mesh has of its own. */
+  /** The settings that the open mesh has of its own. What it is compared with is none: that is told, and stays. */
   get own() {
     const { store, facts } = this.#app;
     const view = facts.get("summary")?.view;
-    return view ? ownView(store.defaults, view, facts.get("entry")?.mesh.view) : store.defaults;
+    const { other } = store.status.compare;
+    return view
+      ? merge(ownView(store.defaults, view, facts.get("entry")?.mesh.view), { compare: { other } })
+      : store.defaults;
   }
 
   /** The camera that the mesh has of its own. */

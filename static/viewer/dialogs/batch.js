@@ -50,11 +50,13 @@ export function batchDialog(context) {
     { class: "quiet" },
     "All are drawn under the present settings, each in its own view where that was not changed; or under those beside a mesh: name.json for name.mesh.",
   );
+  const beside = h("p");
   const element = dialog(
     "batch",
     "Pictures of many meshes",
     [
       what,
+      beside,
       rest,
       fields,
       asFigures,
@@ -86,6 +88,9 @@ export function batchDialog(context) {
         ? `${counted(archive.count, "mesh", "meshes")} in ${archive.name}: a picture and a histogram of each, and one table of measurements.`
         : "Choose an archive (.zip) of meshes, or several files: a picture and a histogram of each, and one table of measurements.",
     );
+    const compared = facts.get("comparison");
+    beside.hidden = !compared;
+    setText(beside, compared ? besideInWords(compared) : "");
     setText(progress, "");
     problems.replaceChildren();
   }
@@ -128,6 +133,12 @@ export function batchDialog(context) {
     else element.showModal();
   });
   return element;
+}
+
+/** @param {import("../state/answers.js").Compared} compared */
+function besideInWords({ name, surface }) {
+  const both = surface ? "has that surface over the mesh" : "shows both";
+  return `Each is compared with ${name}: its picture ${both}, and the table tells distances and what of each metric has changed.`;
 }
 
 /** "3 of 4 done, 1 failed, part.mesh". @param {number} done @param {number} of @param {string} mesh under way @param {number} failures */

@@ -17,9 +17,9 @@ export async function curtained(left, right, at) {
     to > from && pen.drawImage(picture, from, 0, to - from, height, from, 0, to - from, height);
   draw(a, 0, place);
   draw(b, place, width);
-  const line = Math.max(1, Math.round(width * LINE));
+  const line = Math.max(1, Math.round(width * LINE)); // of whole pixels, or it would be blurred
   pen.fillStyle = "#85888d";
-  pen.fillRect(place - line / 2, 0, line, height);
+  pen.fillRect(Math.round(place - line / 2), 0, line, height);
   for (const picture of [a, b]) picture.close();
   return canvas.convertToBlob({ type: "image/png" });
 }

@@ -98,12 +98,13 @@ function thick(element, { point }) {
 export function label(box, texts, style) {
   const letter = style.size * style.point;
   const y = box.y + box.height + 1.1 * letter;
-  const fitting = (/** @type {string} */ text) => shortened(text, box.width / texts.length, letter);
+  const rim = texts.length > 1 ? letter / 2 : 0;
+  const fitting = (/** @type {string} */ text) => shortened(text, box.width / texts.length - rim, letter);
   const [first, second] = texts;
   if (second === undefined)
     return [words(fitting(first), box.x + box.width / 2, y, { style, anchor: "middle" })];
   return [
-    words(fitting(first), box.x, y, { style, anchor: "start" }),
-    words(fitting(second), box.x + box.width, y, { style, anchor: "end" }),
+    words(fitting(first), box.x + rim, y, { style, anchor: "start" }),
+    words(fitting(second), box.x + box.width - rim, y, { style, anchor: "end" }),
   ];
 }

@@ -86,6 +86,11 @@ def test_A2_a_verb_whose_package_is_missing_says_what_to_install(
         (["FILE", "-o", "p.png", "--status", "none.json"], "none.json: no such file"),
         (["FILE", "-o", "p.png", "--status", "FILE"], "not JSON"),
         (["FILE", "-o", "p.png", "--status", "list.json"], "expected a JSON object"),
+        (["FILE", "-o", "p.png", "--with", "none.mesh"], "none.mesh: the file can't be read"),
+        (["FILE", "-o", "p.png", "--with", "list.json"], "list.json"),
+        (["FILE", "-o", "p.png", "--with", "broken.stl"], "broken.stl"),
+        (["none.mesh", "-o", "p.png", "--with", "FILE"], "none.mesh"),
+        (["FILE", "-o", "p.svg", "--with", "FILE", "--transparent"], "figure.transparent"),
     ],
 )
 def test_A2_a_mistake_in_rendering_is_told_before_a_browser_starts(
@@ -98,11 +103,38 @@ def test_A2_a_mistake_in_rendering_is_told_before_a_browser_starts(
     needs("playwright")
     monkeypatch.chdir(mesh_file.parent)
     Path("list.json").write_text("[1]")
+    Path("broken.stl").write_text("solid nothing")
     assert cli.main(["render", *(mesh_file.name if word == "FILE" else word for word in words)]) == cli.MISUSE
     out, err = capsys.readouterr()
     assert out == ""
     assert len(err.splitlines()) == 1
     assert told in err
+    assert not list(Path().glob("p*"))
+
+
+@pytest.mark.parametrize(
+    ("other", "told"),
+    [
+        ("none", "none: no such file"),
+        ("empty", "empty: there is no mesh and no surface in it"),
+        ("broken.stl", "broken.stl"),
+    ],
+)
+def test_B2_what_a_batch_can_not_be_compared_with_is_told_before_anything_starts(
+    mesh_file: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    other: str,
+    told: str,
+) -> None:
+    needs("playwright")
+    monkeypatch.chdir(mesh_file.parent)
+    Path("empty").mkdir()
+    Path("broken.stl").write_text("solid nothing")
+    assert cli.main(["batch", mesh_file.name, "--with", other, "-o", "out"]) == cli.MISUSE
+    out, err = capsys.readouterr()
+    assert out == "" and told in err and len(err.splitlines()) == 1
+    assert not Path("out").exists()
 
 
 class Terminal(io.StringIO):

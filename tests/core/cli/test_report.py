@@ -113,7 +113,7 @@ def test_misuse_is_told_in_one_line_and_writes_nothing(run: Run, part: Path, tmp
 def test_without_a_browser_the_report_says_that_it_lacks_pictures(
     run: Run, part: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for name in ("exporting", "rendering"):
+    for name in ("exporting", "headless", "rendering"):
         monkeypatch.delitem(sys.modules, f"hexalab.hosts.{name}", raising=False)
     monkeypatch.setitem(sys.modules, "playwright.sync_api", None)
     monkeypatch.setitem(sys.modules, "playwright", None)

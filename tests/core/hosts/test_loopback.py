@@ -228,6 +228,23 @@ def test_A5_a_session_goes_when_its_page_has_gone(caller: Caller) -> None:
         time.sleep(0.05)
 
 
+def test_A5_a_session_that_was_left_may_go_sooner_than_one_that_is_waited_for(
+    mesh_file: Path, viewer: Path
+) -> None:
+    with Loopback(file_offers([mesh_file]), viewer=viewer, parting=0.1) as server:
+        server.start()
+        caller = Caller(server)
+        left, waited = caller.enter(), caller.enter()
+        with caller.listening(left):
+            pass
+        deadline = time.monotonic() + 20
+        while caller.post("/ask", framed("check", [{}]), seat=left)[0].status != 410:
+            assert time.monotonic() < deadline, "its page has gone"
+            time.sleep(0.05)
+        assert caller.post("/ask", framed("check", [{}]), seat=waited)[0].status == 200
+        server.shutdown()
+
+
 @pytest.mark.parametrize("grace", [0.2])
 def test_A5_who_listens_is_told_and_keeps_the_session(server: Loopback, caller: Caller) -> None:
     seat = caller.enter()

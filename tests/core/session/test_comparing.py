@@ -11,9 +11,9 @@ import pytest
 from hexalab import HexaLabError, Mesh, quality
 from hexalab.cells import TETRAHEDRON
 from hexalab.errors import MeshReadError
-from hexalab.formats import write_bytes
+from hexalab.formats import read_bytes, write_bytes
 from hexalab.quality import METRICS
-from hexalab.session import Session
+from hexalab.session import Session, prepared
 from tests.core.conftest import grid_points
 
 WORSE = {"quantity": "change:scaled_jacobian", "keep": "inside", "minimum": None, "maximum": 0}
@@ -220,3 +220,19 @@ def test_S7_displacements_are_arrows() -> None:
     tell(session, opened(pushed(grid(), 0, (0, 0, -1))))
     arrows = session.update({"arrows": {"attribute": "compare:displacement"}})["arrows"]
     assert arrows["longest"] == pytest.approx(1)
+
+
+MEDIT_SQUARE = (
+    b"MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 2 0\n3 0 2 0\n3 2 2 0\n0 2 2 0\n"
+    b"Quadrilaterals\n1\n1 2 3 4 0\nEnd\n"
+)
+
+
+def test_S7_an_offered_file_of_faces_alone_is_a_surface() -> None:
+    offers = {"0": lambda: prepared(BEFORE), "1": lambda: read_bytes(MEDIT_SQUARE, "square.mesh")}
+    session = Session(offers)
+    session.open_offered("0")
+    session.update()
+    told = session.compare_with_offered("1")
+    assert (told["name"], told["surface"]["triangles"]) == ("square.mesh", 2)
+    assert session.distance_facts() is not None

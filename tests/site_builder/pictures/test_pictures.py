@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from hexalab.hosts.browser import BrowserMissing
-from hexalab.hosts.rendering import RenderError
+from hexalab.hosts.headless import RenderError
 from hexalab.status import DEFAULTS, VERSION, check, merge
 from site_builder import build
 from site_builder.model.facts import Facts

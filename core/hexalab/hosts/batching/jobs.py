@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import hashlib
 import json
-import re
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, Self
 
 from ... import __version__
 from ...errors import HexaLabError
-from ...formats import FORMATS
 from ..offers import BytesOffer
+from .counterparts import Beside, Counterparts, hash_of
 from .decks import wholes
+from .names import free_name, is_mesh, stem_of
 from .sources import Source
 
 
@@ -58,6 +58,10 @@ class Job:
         Folder for its files.
     version : str
         Of the program that made the job.
+    beside : Beside or None
+        What the mesh is compared with.
+    lack : str
+        Why the job can't be done: the mesh has no counterpart; "" if it can.
     """
 
     source: str
@@ -68,6 +72,8 @@ class Job:
     look: Look
     out: str
     version: str = __version__
+    beside: Beside | None = None
+    lack: str = ""
 
     def as_dict(self) -> dict[str, Any]:
         """The job as JSON holds it."""
@@ -76,7 +82,11 @@ class Job:
     @classmethod
     def of_dict(cls, values: dict[str, Any]) -> Self:
         """The job out of what `as_dict` gave."""
-        return cls(**{**values, "parts": tuple(values["parts"]), "look": Look(**values["look"])})
+        beside = values["beside"]
+        if beside is not None:
+            beside = Beside(**{**beside, "parts": tuple(beside["parts"])})
+        parts, look = tuple(values["parts"]), Look(**values["look"])
+        return cls(**{**values, "parts": parts, "look": look, "beside": beside})
 
     def offer(self, source: Source) -> BytesOffer:
         """The mesh and what it may include; by its path if it includes others, by its last name else."""
@@ -101,16 +111,14 @@ class Job:
 
     def key(self, offer: BytesOffer, layers: list[Any]) -> str:
         """What its result depends on, as a hash."""
-        digest = hashlib.sha256(self.version.encode())
-        for name, data in sorted({offer.name: offer.data, **offer.companions}.items()):
-            digest.update(json.dumps([name, len(data)]).encode())
-            digest.update(data)
         look = [layers, self.look.width, self.look.height, self.look.figures, self.name, self.stem]
-        digest.update(json.dumps(look, sort_keys=True).encode())
-        return digest.hexdigest()
+        files = hash_of({offer.name: offer.data, **offer.companions})
+        other = [self.beside.name, self.beside.key()] if self.beside else [self.lack]
+        told = json.dumps([self.version, files, look, other], sort_keys=True)
+        return hashlib.sha256(told.encode()).hexdigest()
 
 
-def jobs_in(place: Path, look: Look, out: Path) -> list[Job]:
+def jobs_in(place: Path, look: Look, out: Path, other: Path | None = None) -> list[Job]:
     """Part a folder or an archive into jobs.
 
     Parameters
@@ -120,43 +128,34 @@ def jobs_in(place: Path, look: Look, out: Path) -> list[Job]:
     look : Look
     out : Path
         Folder for all files.
+    other : Path, optional
+        What each is compared with; see `Counterparts`.
 
     Raises
     ------
     HexaLabError
-        There is no mesh in it.
+        There is no mesh in it; or as for `Counterparts`.
     """
     source = Source(place)
     names = source.names()
+    counterparts = Counterparts(other) if other else None
     stems: set[str] = set()
     jobs = []
     for mesh, parts in wholes(names, is_mesh, source.read):
-        beside = [f"{stem_of(mesh)}.json", f"{stem_of(mesh)}.txt"]
-        settings = next((name for name in names if name in beside), "")
+        own = [f"{stem_of(mesh)}.json", f"{stem_of(mesh)}.txt"]
+        settings = next((name for name in names if name in own), "")
         stem = free_name(stem_of(mesh), stems)
-        jobs.append(Job(str(place.resolve()), mesh, stem, parts, settings, look, str(out.resolve())))
+        where = str(place.resolve()), mesh, stem, parts, settings, look, str(out.resolve())
+        beside, lack = paired(counterparts, mesh)
+        jobs.append(Job(*where, beside=beside, lack=lack))
     if not jobs:
         raise HexaLabError(f"{place}: there is no mesh in it")
     return jobs
 
 
-def is_mesh(path: str) -> bool:
-    """Whether a file is a mesh by its name."""
-    file = path.rpartition("/")[2]
-    plain = re.sub(r"\.gz$", "", file.lower())
-    endings = tuple(end for one in FORMATS for end in one.extensions)
-    return not file.startswith(".") and not path.startswith("__MACOSX/") and plain.endswith(endings)
-
-
-def stem_of(name: str) -> str:
-    """A path without its ending, and without .gz behind that."""
-    return re.sub(r"\.[^./]+$", "", re.sub(r"\.gz$", "", name, flags=re.I))
-
-
-def free_name(stem: str, taken: set[str]) -> str:
-    """The stem, or with a number added if a mesh of the same stem has it; notes it as taken."""
-    free, number = stem, 2
-    while free.lower() in taken:
-        free, number = f"{stem}-{number}", number + 1
-    taken.add(free.lower())
-    return free
+def paired(counterparts: Counterparts | None, mesh: str) -> tuple[Beside | None, str]:
+    """The counterpart of a mesh, or why it has none."""
+    try:
+        return (counterparts.of(mesh) if counterparts else None), ""
+    except HexaLabError as error:
+        return None, str(error)

@@ -31,11 +31,16 @@ class Source:
         if self._archive is None and not place.exists():
             raise HexaLabError(f"{place}: no such file or directory")
 
+    @property
+    def is_one_file(self) -> bool:
+        """Whether it is a file of its own."""
+        return self._archive is None and self.place.is_file()
+
     def names(self) -> list[str]:
         """The paths of all files."""
         if self._archive is not None:
             return [info.filename for info in self._archive.infolist() if not info.is_dir()]
-        if self.place.is_file():
+        if self.is_one_file:
             return [self.place.name]
         files = (path for path in sorted(self.place.rglob("*")) if path.is_file())
         return [path.relative_to(self.place).as_posix() for path in files]
@@ -50,4 +55,4 @@ class Source:
         """
         if self._archive is not None:
             return self._archive.read(name)
-        return (self.place if self.place.is_file() else self.place / name).read_bytes()
+        return (self.place if self.is_one_file else self.place / name).read_bytes()

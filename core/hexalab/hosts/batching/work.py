@@ -9,7 +9,8 @@ from zipfile import BadZipFile
 
 from ... import __version__
 from ...errors import HexaLabError
-from ..rendering import Renderer, RenderError
+from ..headless import RenderError
+from ..rendering import Renderer
 from .jobs import Job
 from .records import Outcome, failed, keep
 from .sources import Source
@@ -41,12 +42,16 @@ def run(values: dict[str, Any]) -> Outcome:
     job = Job.of_dict(values)
     if job.version != __version__:
         return failed(job, f"this worker has HexaLab {__version__}, the batch was begun by {job.version}")
+    if job.lack:
+        return failed(job, job.lack)
     try:
         source = Source(Path(job.source))
         offer, layers = job.offer(source), job.layers(source)
+        key = job.key(offer, layers)  # of what is drawn, whatever is written anew meanwhile
         portrait = BENCH.ready().portray(
             offer, job.stem, layers, name=job.name,
             width=job.look.width, height=job.look.height, figures=job.look.figures,
+            beside=job.beside.offer() if job.beside else None, beside_name=job.beside.name if job.beside else "",
         )  # fmt: skip
     except RenderError as error:
         BENCH.clear()
@@ -61,5 +66,5 @@ def run(values: dict[str, Any]) -> Outcome:
         stem=job.stem, measured=portrait.measured, line=portrait.line, files=list(portrait.files)
     )
     if not portrait.measured["problem"]:
-        keep(job, job.key(offer, layers), outcome)
+        keep(job, key, outcome)
     return outcome

@@ -12,14 +12,13 @@ from typing import Any
 
 import numpy as np
 
-from ...comparison import read_body
 from ...errors import HexaLabError
 from ...formats import read
 from ...formats.group_arrays import MARK
 from ...mesh import Mesh
 from ...reference import TriangleSurface
 from ...session import prepared
-from ..offers import AnyOffer, FileOffer, Offer, SurfaceOffer
+from ..offers import AnyOffer, FileOffer, Offer, other_file
 
 HEXAHEDRON = 8
 
@@ -47,20 +46,24 @@ class MeshOffer:
         """It was read from no file."""
 
 
-class KnownSurface(SurfaceOffer):
+@dataclass(frozen=True)
+class KnownSurface:
     """A reference surface that is in memory already."""
 
-    def __init__(self, given: TriangleSurface) -> None:
-        super().__init__(Path(), given.name or "surface")
-        self._given = given
+    given: TriangleSurface
+
+    @property
+    def name(self) -> str:
+        """Shown to the user."""
+        return self.given.name or "surface"
 
     def surface(self) -> TriangleSurface:
         """The surface."""
-        return self._given
+        return self.given
 
-    def sha256(self) -> str:
+    def hasher(self) -> Callable[[], str]:
         """It was read from no file."""
-        return ""
+        return str
 
     def size(self) -> None:
         """It was read from no file."""
@@ -105,7 +108,7 @@ def offer_of(thing: Any) -> Offer:
 def counterpart_of(thing: Any) -> AnyOffer:
     """Make whatever a mesh is to be compared with an offer: as `offer_of`, or a reference surface, or a path to one."""
     if isinstance(thing, str | os.PathLike):
-        thing = read_body(thing)
+        return other_file(Path(thing))
     return KnownSurface(thing) if isinstance(thing, TriangleSurface) else offer_of(thing)
 
 
