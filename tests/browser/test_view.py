@@ -13,6 +13,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from typing import Any
 
 import pytest
 from playwright.sync_api import Browser, Page
@@ -219,6 +220,54 @@ def test_A5_a_file_that_breaks_or_vanishes_leaves_the_mesh_and_is_watched_on(
         until(lambda: summary(page)["cells"] == 45)
         until(lambda: summary(page)["shown"] and summary(page)["shown"]["cells"] == 3)
         until(lambda: "not there any more" not in messages(page))
+
+
+def comparison(page: Page) -> dict[str, Any]:
+    told: dict[str, Any] = page.evaluate("() => window.hexalab.comparison()") or {}
+    return told
+
+
+def test_A5_two_files_beside_each_other_are_watched(
+    chromium: Browser, make: Callable[..., Path], tmp_path: Path
+) -> None:
+    before, after = make("before.mesh", 4, 3, 3), tmp_path / "after.vtk"
+    hexalab.write(grid(4, 3, 3, noise=0.2), after)
+    with (
+        viewing("--compare", "--watch", before, after) as program,
+        visited(chromium, program.address) as page,
+    ):
+        until(lambda: comparison(page).get("name") == "after.vtk")
+        assert comparison(page)["same_cells"] is True
+        assert page.evaluate("() => window.hexalab.changes('scaled_jacobian')")["worse"] == 36
+        write_beside(after, grid(3, 3, 3))
+        until(lambda: comparison(page).get("same_cells") is False)
+        assert summary(page)["cells"] == 36, "the first mesh stays"
+        assert page.locator("#second-canvas").is_visible()
+        write_beside(before, grid(3, 3, 3, noise=0.2))
+        until(lambda: comparison(page).get("same_cells") is True)
+        assert page.evaluate("() => window.hexalab.changes('scaled_jacobian')")["better"] == 27
+
+
+def test_A5_a_file_of_faces_alone_is_the_surface_that_a_mesh_is_compared_with(
+    chromium: Browser, make: Callable[..., Path], tmp_path: Path
+) -> None:
+    mesh, surface = make("cube.mesh", 2, 2, 2), tmp_path / "square.mesh"
+    square = (
+        "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 {0} 0\n2 0 {0} 0\n2 2 {0} 0\n0 2 {0} 0\n"
+        "Quadrilaterals\n1\n1 2 3 4 0\nEnd\n"
+    )
+    surface.write_text(square.format(2))
+    with (
+        viewing("--compare", "--watch", mesh, surface) as program,
+        visited(chromium, program.address) as page,
+    ):
+        until(lambda: (comparison(page).get("surface") or {}).get("triangles") == 2)
+        apart = page.evaluate("() => window.hexalab.distances()")
+        assert apart["a_to_b"]["max"] == pytest.approx(2)
+        new = tmp_path / "new.mesh"
+        new.write_text(square.format(5))
+        os.replace(new, surface)
+        until(lambda: page.evaluate("() => window.hexalab.distances()")["a_to_b"]["max"] == pytest.approx(5))
 
 
 def test_A5_the_page_says_that_the_program_has_ended(chromium: Browser, make: Callable[..., Path]) -> None:
