@@ -221,6 +221,27 @@ def test_A6_a_view_that_was_shown_before_can_be_shown_again(chromium: Browser, l
         until(lambda: len(frames(page)) == 1 and asked(frames(page)[0], "summary()")["cells"] == 36, 60)
 
 
+def test_A6_two_meshes_beside_each_other_and_a_mesh_beside_a_surface(chromium: Browser, lab: Lab) -> None:
+    hexalab.write(grid(4, 3, 3, noise=0.2), lab.folder / "after.vtk")
+    (lab.folder / "square.off").write_text("OFF\n4 1 0\n0 0 3\n4 0 3\n4 3 3\n0 3 3\n4 0 1 2 3\n")
+    both = "import hexalab\nview = hexalab.show('box.mesh', compare='after.vtk')\nview"
+    beside = "import hexalab\nview = hexalab.show(hexalab.read('box.mesh'), compare='square.off')\nview"
+    with lab.opened(chromium, "eight.ipynb", both) as page:
+        frame = view(page)
+        told = until(lambda: asked(frame, "comparison()"), 60)
+        assert (told["name"], told["same_cells"]) == ("after.vtk", True)
+        assert asked(frame, "changes('scaled_jacobian')")["worse"] == 36
+        run(page, "view.status = {'filters': {'peel': {'depth': 1}}}")
+        until(lambda: asked(frame, "summary()")["shown"]["cells"] == 2)
+    with lab.opened(chromium, "nine.ipynb", beside) as page:
+        frame = view(page)
+        told = until(lambda: asked(frame, "comparison()"), 60)
+        assert (told["name"], told["surface"]["triangles"]) == ("square.off", 2)
+        assert asked(frame, "distances()")["a_to_b"]["max"] == pytest.approx(3)
+        assert "missing.stl" in run(page, "hexalab.show('box.mesh', compare='missing.stl')")
+        assert "expected a Mesh, a path" in run(page, "hexalab.show('box.mesh', compare=3)")
+
+
 APP = """import marimo
 app = marimo.App()
 
