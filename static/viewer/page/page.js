@@ -68,7 +68,7 @@ export class Page {
     compareView(context);
     tellChanges(context, SECTIONS);
     centreBeside(context, cellInspector, canvas);
-    followSize(context.app.scene, canvas);
+    followSize(context.app.scene, canvas, context.facts);
     followModality();
   }
 

@@ -46,7 +46,7 @@ export function secondPane({ first, another, makeScene }) {
   pane.append(progressBar(context), cellLabel(context, scene), inspector(context, "second-inspector-title"));
   pictureInWords(context, canvas, caption);
   new Tools(side, canvas, ending.signal);
-  followSize(scene, canvas, ending.signal);
+  followSize(scene, canvas, facts, ending.signal);
   lookAtTheSame(first, side);
   const close = () => {
     ending.abort();

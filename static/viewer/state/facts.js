@@ -70,6 +70,7 @@ import { ROWS } from "./numbering.js";
  * @property {boolean} posing while settings change for the pictures of a figure, to be what they were
  * @property {boolean} remember whether the last files are kept in this browser
  * @property {{ name: string, press: () => unknown } | null} again the files that were open when the page was left
+ * @property {{ width: number, height: number } | null} canvas its size in CSS pixels, once that is known
  * @property {string | null} lack why this browser keeps nothing for when there is no network; empty where it does, null while that is not known
  * @property {import("./answers.js").Compared | null} comparison what the mesh is compared with, once both know of each other
  * @property {Facts | null} second what is known of the second mesh
@@ -127,6 +128,7 @@ const NOTHING = {
   posing: false,
   remember: true,
   again: null,
+  canvas: null,
   offline: null,
   lack: null,
   comparison: null,
