@@ -290,8 +290,10 @@ export class Comparing {
 
   /** Have both cores know of the other's mesh. */
   #match() {
-    this.matched = this.#matched(++this.#turn).catch((error) => {
-      if (!(error instanceof Superseded)) this.#app.messages.error(error, { topic: "compare" });
+    const turn = ++this.#turn;
+    this.matched = this.#matched(turn).catch((error) => {
+      const wanted = turn === this.#turn && !(error instanceof Superseded);
+      if (wanted) this.#app.messages.error(error, { topic: "compare" });
     });
     return this.matched;
   }
