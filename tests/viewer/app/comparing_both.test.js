@@ -181,7 +181,11 @@ test("S6: the structure is traced of both", async () => {
 });
 
 test("S6: both are drawn when they know of each other, and what was measured of others goes", async () => {
-  const all = await opened();
+  const all = page();
+  all.store.set({ compare: { colours: "own" } });
+  await all.app.openFiles([fileOf("a.mesh", { cells: "hexes" })]);
+  await all.comparing.openFiles([fileOf("b.mesh", { cells: "hexes" })]);
+  await settled();
   for (const { asked } of [all.core, all.seconds[0].core]) {
     const methods = asked.map(([method]) => method);
     assert.ok(methods.lastIndexOf("update") > methods.indexOf("compare_with"));

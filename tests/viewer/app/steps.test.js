@@ -53,7 +53,12 @@ function page(search = "", host = { steps: true }) {
   const app = /** @type {any} */ ({
     host,
     store: { status: { name: "" } },
-    documents: { replaceBy: async (/** @type {any[]} */ some) => layers.push(...some) },
+    documents: {
+      replaceBy: async (/** @type {any[]} */ [status]) => {
+        layers.push(status);
+        app.store.status = status;
+      },
+    },
     drawing: { update: async () => {} },
   });
   const steps = new Steps(app);
