@@ -266,6 +266,8 @@ export class Comparing {
       return false;
     };
     second.taken = () => {
+      const { shown } = store.defaults.compare.reference;
+      if (this.#surface) store.set({ compare: { reference: { shown } } }, { undo: false });
       this.#surface = null;
       this.#unmatch();
     };

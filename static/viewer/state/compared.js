@@ -37,7 +37,11 @@ export function tableCsv(metrics, a, b) {
 export function withoutComparison({ colour, arrows, filters }, { compare, colour: plain }, tables) {
   const ofBoth = (/** @type {string} */ quantity) => comparedOf(tables, quantity) !== undefined;
   return {
-    compare: { other: compare.other, picking: compare.picking },
+    compare: {
+      other: compare.other,
+      picking: compare.picking,
+      reference: { shown: compare.reference.shown },
+    },
     ...(colour.by === "attribute" && ofBoth(colour.attribute)
       ? { colour: { by: "quality", attribute: "", range: null, map: plain.map } }
       : {}),
