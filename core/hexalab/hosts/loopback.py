@@ -17,7 +17,7 @@ from collections.abc import Mapping
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from queue import Empty, SimpleQueue
+from queue import Empty
 from typing import Any, ClassVar
 from urllib.parse import urlsplit
 
@@ -26,8 +26,8 @@ from ..errors import HexaLabError
 from .built import PAGE, built_viewer
 from .frames import read_question
 from .gate import LOOPBACK, refusal, same, token_of
+from .listening import Event, Listener
 from .offers import AnyOffer, listed
-from .seat import Seat
 from .serving import TYPES
 
 SEAT = "X-HexaLab-Seat"
@@ -37,42 +37,6 @@ GRACE = 30.0
 """Seconds that a session is kept when its page has gone, or only lost its connection."""
 
 PADDING = bytes(8)
-
-Event = dict[str, Any]
-"""What a page is told without having asked, as JSON: ``{"changed": id}``, ``{"gone": id}``, ``{"stopped": true}``,
-``{"identified": {"question": number, "sha256": text}}``."""
-
-
-class Listener(Seat):
-    """A page's session, and what it is told."""
-
-    def __init__(self, offers: Mapping[str, AnyOffer]) -> None:
-        super().__init__(offers)
-        self._news: SimpleQueue[Event] | None = None
-
-    def tell(self, event: Event) -> None:
-        """Tell the page, if it listens."""
-        if self._news is not None:
-            self._news.put(event)
-
-    def listen(self) -> SimpleQueue[Event]:
-        """What the page is told from now on; whoever listened before does so no more."""
-        self._news = SimpleQueue()
-        return self._news
-
-    def listens(self, news: SimpleQueue[Event]) -> bool:
-        """Whether a queue is still the one that is filled."""
-        return self._news is news
-
-    def leave(self, news: SimpleQueue[Event]) -> None:
-        """End listening."""
-        if self.listens(news):
-            self._news = None
-
-    @property
-    def empty(self) -> bool:
-        """Whether no page listens."""
-        return self._news is None
 
 
 class Loopback(ThreadingHTTPServer):

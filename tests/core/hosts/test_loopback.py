@@ -272,6 +272,16 @@ def test_A5_a_file_is_identified_after_it_was_opened(caller: Caller, mesh_file: 
         }
 
 
+def test_A5_what_was_told_before_the_page_listens_is_not_lost(server: Loopback, caller: Caller) -> None:
+    seat = caller.enter()
+    server.tell_of("0", there=True)
+    server.tell_of("0", there=False)
+    with caller.listening(seat) as lines:
+        assert [json.loads(next(lines)) for _ in range(2)] == [{"changed": "0"}, {"gone": "0"}]
+        server.tell_of("0", there=True)
+        assert json.loads(next(lines)) == {"changed": "0"}
+
+
 def test_A5_pages_are_told_that_the_server_ends(mesh_file: Path, viewer: Path) -> None:
     with Loopback(file_offers([mesh_file]), viewer=viewer) as server:
         server.start()

@@ -218,5 +218,6 @@ export class Painter {
   dispose() {
     this.forget();
     this.renderer.dispose();
+    this.renderer.forceContextLoss(); // a browser holds but some 16 contexts, then takes the oldest from whoever has it
   }
 }
