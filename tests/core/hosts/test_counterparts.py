@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from hexalab import HexaLabError, MeshReadError
-from hexalab.hosts.batching import Job, Look, jobs_in, work
+from hexalab.hosts.batching import Job, Look, jobs_in
 from hexalab.hosts.batching.counterparts import Beside, Counterparts
 from hexalab.hosts.batching.records import kept
 from hexalab.hosts.batching.sources import Source
@@ -149,6 +149,9 @@ def test_B2_a_job_that_lacks_a_counterpart_fails_without_a_browser(
     meshes.mkdir()
     (meshes / "lonely.mesh").write_bytes(grid(1, 1, 1))
     (job,) = jobs_in(meshes, Look({}), tmp_path / "out", others)
+    work = pytest.importorskip(
+        "hexalab.hosts.batching.work", exc_type=ModuleNotFoundError
+    )  # needs Playwright
     monkeypatch.setattr(work, "BENCH", None)
     outcome = work.run(job.as_dict())
     assert outcome["line"] == {"name": "lonely.mesh", "problem": job.lack} and outcome["files"] == []
