@@ -39,6 +39,7 @@ GROUPS = (
     ),
     ("Quality", ("quality", "quality_many", "METRICS", "Metric", "statistics", "histogram")),
     ("Structure", ("structure", "Structure")),
+    ("Comparing", ("compare", "read_reference", "TriangleSurface")),
     ("Validity and diagnosis", ("certify", "Validity", "diagnose", "Finding")),
     ("In a notebook", ("show",)),
 )

@@ -126,7 +126,7 @@ def test_T4_a_picture_of_structure_opens_what_it_shows(page: Page, site: str):
 
 
 def test_V8_gallery_and_guide_have_all_their_pictures(page: Page, site: str):
-    for address, count in (("gallery/", 62), ("guide/", 17), ("guide/structure/", 35)):
+    for address, count in (("gallery/", 62), ("guide/", 18), ("guide/structure/", 35)):
         page.goto(f"{site}/{address}")
         page.evaluate("() => document.querySelectorAll('img').forEach((image) => (image.loading = 'eager'))")
         page.wait_for_function("() => [...document.images].every((image) => image.complete)")

@@ -64,7 +64,24 @@ def read_reference_bytes(
 
 
 def read_reference(file: str | os.PathLike[str] | BinaryIO) -> TriangleSurface:
-    """Read a surface from a path or an open binary file; see `read_reference_bytes`."""
+    """Read a surface from a path or an open binary file, gzipped or not.
+
+    Parameters
+    ----------
+    file : str, path or binary file
+        STL, OBJ, OFF, PLY, polygons of VTK, or any format of meshes: of a volumetric mesh the boundary is taken, and
+        `TriangleSurface.notes` says so.
+
+    Returns
+    -------
+    TriangleSurface
+        With at least one triangle.
+
+    Raises
+    ------
+    MeshReadError
+        If it is no surface that can be read: file, place, what was found and what was expected.
+    """
     if isinstance(file, str | os.PathLike):
         path = Path(file)
         try:
