@@ -9,11 +9,14 @@ PORT ?= 0
 SITE := build/site
 BUILD := $(BIN)/hexalab build --repository repository --out $(SITE)
 export OMP_NUM_THREADS ?= 2
+# What does not wait for each other goes side by side: setting up Python and Node, checking and building.
+MAKEFLAGS += -j2
 
 # A screen for Firefox, where there is none.
 SCREEN = $(if $(DISPLAY),,$(if $(shell command -v xvfb-run),xvfb-run -a))
 
-.PHONY: serve pages build wheel test test-core test-viewer test-firefox test-browser lint bench nightly format clean
+.PHONY: serve pages build wheel test test-core test-viewer test-firefox test-browser bench nightly clean
+.PHONY: lint lint-python lint-viewer format
 .DELETE_ON_ERROR:
 
 # The pages stand at once; pictures that are missing are taken while they are served, and appear on a reload.
@@ -52,10 +55,14 @@ test-viewer: node_modules/.ready
 nightly: .venv/.ready
 	$(BIN)/pytest -m "nightly or hypothesis" --hypothesis-profile=nightly
 
-lint: .venv/.ready node_modules/.ready
+lint: lint-python lint-viewer
+
+lint-python: .venv/.ready
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
+
+lint-viewer: node_modules/.ready
 	node_modules/.bin/prettier --check --log-level warn .
 	node_modules/.bin/biome lint
 	node_modules/.bin/tsc --project tsconfig.json

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import re
 import signal
@@ -46,6 +47,11 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
         return None
     config.stash.setdefault(LEFT_OUT, []).append(collection_path.name)
     return True
+
+
+def pytest_collection_finish() -> None:
+    """Sessions collect garbage whenever a mesh is opened: they need not look through thousands of tests each time."""
+    gc.freeze()
 
 
 def pytest_terminal_summary(terminalreporter: Any, config: pytest.Config) -> None:

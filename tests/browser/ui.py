@@ -24,6 +24,7 @@ def one_viewer(chromium: Browser, site: str, script: str = "", **context: Any) -
     page.add_init_script(script)
     page.goto(f"{site}/viewer/")
     page.evaluate("() => window.hexalab.ready")
+    set_status(page, {"lighting": {"mode": "direct"}})  # gathered light takes most of a processor's time
     yield page
     opened.close()
     assert not errors, f"the console reported {errors}"
