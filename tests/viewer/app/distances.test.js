@@ -110,7 +110,7 @@ test("S7: forgotten while it is measured, it is null and nothing is told; then i
   const first = core(50, 1, [1, 2]);
   const { distances, facts, said } = page(first);
   const measured = distances.measure();
-  await new Promise((resolve) => setTimeout(resolve, 10));
+  await new Promise((resolve) => facts.on("measuring", resolve));
   assert.ok(facts.get("measuring"));
   distances.forget();
   assert.equal(facts.get("measuring"), null);
