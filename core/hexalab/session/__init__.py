@@ -11,7 +11,7 @@ opened, which starts with their defaults.
 from __future__ import annotations
 
 import gc
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from time import perf_counter
 from typing import Any
 
@@ -20,19 +20,19 @@ from numpy.typing import NDArray
 
 from .. import attributes
 from .. import status as documents
-from ..cell_lists import cell_list
 from ..errors import HexaLabError
 from ..formats import read_bytes
 from ..mesh import Mesh
 from ..packing import jsonable
 from ..reference import TriangleSurface
-from . import going, inspection, known, measuring, shown_cells
+from . import going, inspection, known, measuring
 from .comparing import Comparing
 from .opened import DESCRIBED, Opened
 from .picture import Picture, looked_at, quantity_of
 from .preparing import prepared
 from .preview import preview_of
 from .tracing import Tracing
+from .writing import Writing
 
 __all__ = ["DESCRIBED", "Session", "prepared"]
 
@@ -51,7 +51,7 @@ Surfaces = Mapping[str, Callable[[], TriangleSurface]]
 """Reference surfaces that whoever holds the session has at hand."""
 
 
-class Session(Tracing, Comparing):
+class Session(Tracing, Comparing, Writing):
     """One open mesh, and the settings that it is drawn under.
 
     Parameters
@@ -252,47 +252,6 @@ class Session(Tracing, Comparing):
         """
         return preview_of(self._open_mesh(), settings)
 
-    def save_cells(
-        self,
-        format: str,
-        metrics: Sequence[str] = (),
-        attributes: Sequence[str] | None = None,
-        structure: bool = False,
-    ) -> Result:
-        """Write the shown cells in a format, the id of a row of `hexalab.WRITERS`; see `shown_cells.shown_mesh`.
-
-        Returns
-        -------
-        dict
-            `data` ((n,) uint8, the file), `cells`, `vertices`, `notes` (what the format has no place for).
-        """
-        part = shown_cells.shown_mesh(self._open_mesh(), self._drawn().shown, metrics, attributes, structure)
-        return {
-            "cells": part.cell_count,
-            "vertices": part.vertex_count,
-            **shown_cells.shown_file(part, format),
-        }
-
-    def report(
-        self,
-        form: str,
-        about: Result | None = None,
-        pictures: Sequence[Result] = (),
-        criteria: Any = None,
-        strict: bool = False,
-    ) -> Result:
-        """Write the report of the mesh, as "html", "md", "json" or "xml"; see `reporting.report_of`."""
-        from . import reporting  # when it is first needed: a browser's Python starts the sooner
-
-        told = {"bytes": self._size, **(about or {})}
-        return reporting.report_of(self._open_mesh(), form, told, pictures, criteria, strict)
-
-    def report_poses(self, unit: str = "none") -> list[Result]:
-        """Tell which pictures a report asks for; see `reporting.poses_of`."""
-        from . import reporting
-
-        return reporting.poses_of(self._open_mesh(), unit)
-
     # -- quality
 
     def quality(self, quantity: str) -> Result:
@@ -358,10 +317,6 @@ class Session(Tracing, Comparing):
     def find(self, kind: str, number: int, direction: list[float] | None = None) -> Result:
         """Find a cell or a vertex by the file's number, and what lies around it; see `going.find`."""
         return going.find(self._open_mesh(), kind, int(number), direction)
-
-    def cell_list(self, cells: list[int], form: str, name: str = "cells") -> str:
-        """Write cells as a text for other programs; see `hexalab.cell_list`."""
-        return cell_list(self._open_mesh().mesh, [self._cell(cell) for cell in cells], form, name)
 
     def cell_view(self, cell: int) -> Result:
         """Return the centre, size and edges of a cell as it is drawn; see `inspection.where`."""

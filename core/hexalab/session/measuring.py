@@ -11,7 +11,8 @@ from ..mesh import cell_barycentres
 from ..packing import jsonable
 from ..quality import METRICS, histogram
 from ..quality.measures import worst_first
-from .opened import Opened, Reach
+from .mapping import Reach, map_ends, map_positions
+from .opened import Opened
 
 
 def statistics_of(opened: Opened, quantity: str) -> dict[str, Any]:
@@ -114,7 +115,7 @@ def histogram_of(
         "label": opened.label_of(quantity),
         "edges": edges,
         "counts": counts.astype(np.uint32),
-        "map_position": opened.map_positions(quantity, middles, limits, reach).astype(np.float32),
+        "map_position": map_positions(opened, quantity, middles, limits, reach).astype(np.float32),
         "low": low,
         "high": high,
         "not_finite": int(np.count_nonzero(~np.isfinite(values))),
@@ -123,7 +124,7 @@ def histogram_of(
 
 def axis_of(opened: Opened, quantity: str, reach: Reach = None) -> tuple[float, float]:
     """Return the ends of a histogram's axis: the finite values, and a metric's worst and best ones."""
-    found = opened.ends_of(quantity, reach)
+    found = map_ends(opened, quantity, reach)
     if found is None:
         return 0.0, 1.0
     ends = list(found)

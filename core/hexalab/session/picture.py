@@ -22,6 +22,7 @@ from ..surface import (
 from ..surface.curves import Drawing
 from .compared import ComparedBook
 from .looking import NOTHING, Look
+from .mapping import map_ends, map_positions
 from .opened import Opened
 
 Settings = dict[str, Any]
@@ -170,8 +171,8 @@ class Picture:
                 "high_first": False,
             }
         limits, reach = colour["range"], colour["reach"]
-        positions = opened.map_positions(quantity, opened.values(quantity), limits, reach)
-        low, high = limits or opened.ends_of(quantity, reach) or (None, None)
+        positions = map_positions(opened, quantity, opened.values(quantity), limits, reach)
+        low, high = limits or map_ends(opened, quantity, reach) or (None, None)
         return {
             "map_position": positions.astype(np.float32),
             "quantity": quantity,

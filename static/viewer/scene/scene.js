@@ -12,7 +12,6 @@ import { Pictures } from "./frame/pictures.js";
 import { Programs } from "./frame/programs.js";
 import { isSoftware } from "./frame/software.js";
 import { spreadOf } from "../state/structure.js";
-import { planeExtent } from "./layers/plane_extent.js";
 import { Pointing } from "./picking/pointing.js";
 import { Trackball } from "./camera/trackball.js";
 import { View } from "./frame/view.js";
@@ -163,7 +162,7 @@ export class Scene {
     this.setCellColours(null);
     this.mark(null);
     this.#rig.covered = 0;
-    this.#layers.plane.set(null, 0, 1);
+    this.#layers.plane.set(null, mesh);
   }
 
   /** @param {Float32Array | null} points of another body, 3 coordinates each: the camera is fitted to both */
@@ -271,19 +270,12 @@ export class Scene {
 
   /** @param {number} pixels CSS pixels at the right of the canvas that something covers: the view's middle is that of the rest */
   set covered(pixels) {
-    const part = pixels / this.#view.size.width;
-    if (part === this.#rig.covered) return;
-    this.#rig.covered = part < 0.7 ? part : 0;
-    this.#touch();
+    if (this.#view.cover(pixels)) this.#touch();
   }
 
   /** @param {import("./types.js").Plane | null} plane */
   showPlane(plane) {
-    if (!plane) this.#layers.plane.set(null, 0, 1);
-    else {
-      const [low, high] = plane.extent ?? planeExtent(this.#mesh, plane.normal);
-      this.#layers.plane.set(plane.normal, low + plane.offset * (high - low), 1);
-    }
+    this.#layers.plane.set(plane, this.#mesh);
     this.#enclose();
     this.#loop.invalidate();
   }
@@ -306,10 +298,7 @@ export class Scene {
 
   /** Half the height of what a picture of a shape sees, at the target's distance, in diagonals. @param {number} aspect width over height */
   halfHeight(aspect) {
-    this.#view.aim(aspect, true);
-    const { halfHeight } = this.#rig;
-    this.#view.aim();
-    return halfHeight;
+    return this.#view.halfHeight(aspect);
   }
 
   /** @returns {Promise<void>} when the picture is drawn and will not change by itself */

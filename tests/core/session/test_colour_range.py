@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from hexalab.session.mapping import map_positions
 from hexalab.session.opened import Opened
 from tests.core.filters.boxes import box
 
@@ -23,10 +24,10 @@ VALUES = np.array([0.0, 0.25, 0.5, 0.75, 1.0, -3.0, 9.0, np.nan])
 def test_V3_the_best_stands_first_whichever_end_of_the_range_is_named_first(
     metric: str, expected: list[float], limits: tuple[float, float]
 ) -> None:
-    found = Opened(box(2, 1, 1)).map_positions(metric, VALUES, limits)
+    found = map_positions(Opened(box(2, 1, 1)), metric, VALUES, limits)
     np.testing.assert_allclose(found, expected, atol=1e-12)
 
 
 def test_V3_a_range_of_one_value_parts_what_is_above_it_from_the_rest() -> None:
-    found = Opened(box(2, 1, 1)).map_positions("skew", VALUES, (0.5, 0.5))
+    found = map_positions(Opened(box(2, 1, 1)), "skew", VALUES, (0.5, 0.5))
     np.testing.assert_array_equal(found, [0, 0, 0, 1, 1, 0, 1, np.nan])

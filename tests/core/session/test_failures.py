@@ -31,7 +31,7 @@ STEPS = {
     "the arrows": (picture, "extract_arrows"),
     "what is seen through": (FilterStack, "hidden_by"),
     "the irregular structure": (Opened, "irregular"),
-    "the colours": (Opened, "map_positions"),
+    "the colours": (picture, "map_positions"),
     "the count of faces": (Topology, "interface"),
     "the layers": (Opened, "max_depth"),
     "the planes' ranges": (Opened, "plane_ranges"),

@@ -38,6 +38,23 @@ export class View {
     this.rig.covered = covered;
   }
 
+  /** Half the height of what a bare picture of a shape sees. @param {number} aspect width over height @returns {number} */
+  halfHeight(aspect) {
+    this.aim(aspect, true);
+    const { halfHeight } = this.rig;
+    this.aim();
+    return halfHeight;
+  }
+
+  /** What covers most of the canvas does not move the middle. @param {number} pixels at its right @returns {boolean} whether it moved */
+  cover(pixels) {
+    const part = pixels / this.size.width;
+    const covered = part < 0.7 ? part : 0;
+    const moved = covered !== this.rig.covered;
+    this.rig.covered = covered;
+    return moved;
+  }
+
   /** Pixels to a CSS pixel in a picture of the canvas of that width. @param {number} width */
   ratioOf(width) {
     return (this.#pixelRatio * width) / this.#painter.pixels(false).width;

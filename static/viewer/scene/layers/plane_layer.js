@@ -2,6 +2,7 @@ import { Group, Vector3 } from "three";
 import { boxOf } from "../../geometry/box.js";
 import { FlatLayer } from "./flat_layer.js";
 import { LinesLayer } from "./lines_layer.js";
+import { planeExtent } from "./plane_extent.js";
 
 /**
  * The slicing plane as a translucent square with a rim.
@@ -19,27 +20,24 @@ export class PlaneLayer {
   }
 
   /**
-   * @param {readonly number[] | null} normal null: no plane
-   * @param {number} distance of the plane from the origin along the normal
-   * @param {number} side
+   * @param {import("../types.js").Plane | null} plane
+   * @param {import("../../geometry/records.js").MeshFrame} mesh that it runs through, from one end to the other
    */
-  set(normal, distance, side) {
-    this.group.visible = normal !== null;
+  set(plane, mesh) {
+    this.group.visible = plane !== null;
     this.box = null;
-    if (!normal) return;
-    const n = new Vector3().fromArray(normal).normalize();
+    if (!plane) return;
+    const [low, high] = plane.extent ?? planeExtent(mesh, plane.normal);
+    const n = new Vector3().fromArray(plane.normal).normalize();
     const least = Math.min(Math.abs(n.x), Math.abs(n.y), Math.abs(n.z));
     const aside = new Vector3(
       +(Math.abs(n.x) === least),
       +(Math.abs(n.y) === least),
       +(Math.abs(n.z) === least),
     );
-    const u = aside
-      .cross(n)
-      .normalize()
-      .multiplyScalar(side / 2);
+    const u = aside.cross(n).normalize().multiplyScalar(0.5);
     const v = new Vector3().crossVectors(n, u);
-    const middle = n.clone().multiplyScalar(distance);
+    const middle = n.clone().multiplyScalar(low + plane.offset * (high - low));
     const [a, b, c, d] = [
       [-1, -1],
       [1, -1],
