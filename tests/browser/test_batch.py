@@ -11,8 +11,6 @@ import subprocess
 import sys
 import time
 import zipfile
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -26,13 +24,12 @@ from hexalab.hosts.batching.records import KEPT
 from hexalab.hosts.batching.sources import Source
 from hexalab.reference import read_reference
 
+from .cluster import ENVIRONMENT, cluster
 from .conftest import grid
-from .test_view import viewing, visited
 from .ui import status, until
+from .viewing import ROOT, viewing, visited
 
 pytestmark = pytest.mark.browser
-ROOT = Path(__file__).parents[2]
-ENVIRONMENT = {**os.environ, "PYTHONPATH": str(ROOT / "core")}
 LOOK = {"lighting": {"mode": "none"}, "background": "#336699", "silhouette": 0.5}
 
 
@@ -340,35 +337,6 @@ def test_B3_a_process_that_dies_costs_its_own_mesh_alone(
     assert done.returncode == 1, done.stderr
     assert "box.mesh: the process ended with code 9" in done.stderr
     assert "2 of 4 meshes" in done.stdout
-
-
-@contextmanager
-def cluster(folder: Path, workers: int) -> Iterator[tuple[Path, list[subprocess.Popen[bytes]]]]:
-    """A scheduler and its workers, as a user starts them; gives the scheduler's file and the workers."""
-    file = folder / "scheduler.json"
-    quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, "env": ENVIRONMENT, "cwd": folder}
-    dask = [sys.executable, "-m", "dask"]
-    found = ["--scheduler-file", str(file), "--no-dashboard"]
-    place = ["--host", "127.0.0.1", "--port", "0"]
-    alone = ["--nthreads", "1", "--memory-limit", "0", "--death-timeout", "20"]
-
-    def start(*words: str) -> subprocess.Popen[bytes]:
-        return subprocess.Popen([*dask, *words, *found], start_new_session=True, **quiet)  # type: ignore[call-overload]
-
-    started = [start("scheduler", *place)]
-    until(file.is_file, 60)
-    started += [start("worker", *alone) for _ in range(workers)]
-    try:
-        yield file, started[1:]
-    finally:
-        for process in reversed(started):
-            os.killpg(process.pid, signal.SIGTERM)
-        for process in started:
-            try:
-                process.wait(timeout=20)
-            except subprocess.TimeoutExpired:
-                os.killpg(process.pid, signal.SIGKILL)
-                process.wait()
 
 
 def test_B3_a_cluster_gives_the_same(words: list[str], tmp_path: Path, alone: dict[str, bytes]) -> None:

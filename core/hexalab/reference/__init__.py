@@ -37,27 +37,16 @@ def read_reference_bytes(
     name: str = "",
     companions: Mapping[str, bytes | bytearray | memoryview] | None = None,
 ) -> TriangleSurface:
-    """Read a surface from the bytes of a file.
+    """Read a surface from the bytes of a file; what is read, returned and raised is as for `read_reference`.
 
     Parameters
     ----------
     data : bytes
-        The file, gzipped or not: STL, OBJ, OFF, PLY, polygons of VTK, or any format of meshes. Of a volumetric mesh the
-        boundary is taken, and `notes` says so.
+        The file, gzipped or not.
     name : str
         Its name: for messages, and its ending tells the format where the content does not.
     companions : dict of str to bytes, optional
         Files that it may refer to, by name, such as those that an Abaqus deck includes.
-
-    Returns
-    -------
-    TriangleSurface
-        With at least one triangle.
-
-    Raises
-    ------
-    MeshReadError
-        The bytes are no surface that can be read; it names file, place, what was found and what was expected.
     """
     whole = data if isinstance(data, bytes) else bytes(data)
     return _read(File(whole, name, together(companions or {}, name)))
