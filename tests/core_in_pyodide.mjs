@@ -4,25 +4,16 @@
 //
 // SITE_PACKAGES is where pytest itself is taken from (pure Python). Tests of what only exists natively skip themselves.
 
-import { readFileSync } from "node:fs";
-import { fileURLToPath } from "node:url";
 import { resolve } from "node:path";
+import { start } from "./pyodide_under_node.mjs";
 
-const root = resolve(fileURLToPath(import.meta.url), "../..");
 const [sitePackages, ...pytestArguments] = process.argv.slice(2);
-const interpreter = resolve(root, "node_modules/pyodide");
-const { loadPyodide } = await import(resolve(interpreter, "pyodide.mjs"));
-const pyodide = await loadPyodide({ indexURL: interpreter });
-const numpy = JSON.parse(readFileSync(resolve(interpreter, "pyodide-lock.json"), "utf8")).packages.numpy
-  .file_name;
-const carrier = resolve(root, "node_modules/@galaxyproject/vintent/static/pyodide", numpy);
-await pyodide.loadPackage(carrier, { messageCallback: () => {} });
-pyodide.mountNodeFS("/project", root);
+const pyodide = await start();
 pyodide.mountNodeFS("/packages", resolve(sitePackages));
 
 const exit = pyodide.runPython(
   `
-import importlib.util, os, sys
+import importlib.util, sys
 from pathlib import Path
 
 class Borrowed:
@@ -40,9 +31,6 @@ class Borrowed:
         return importlib.util.spec_from_file_location(name, module) if module.is_file() else None
 
 sys.meta_path.append(Borrowed())
-sys.path[:0] = ["/project/core", "/project"]
-sys.dont_write_bytecode = True
-os.chdir("/project")
 import pytest
 int(pytest.main(ARGUMENTS))
 `,
