@@ -67,6 +67,9 @@ def pytest_terminal_summary(terminalreporter: Any, config: pytest.Config) -> Non
         terminalreporter.line(f"LEFT OUT: {len(modules)} modules of tests need hypothesis", yellow=True)
 
 
+QUICK = "--js-flags=--liftoff-only"
+"""WebAssembly is compiled once, the fast way: most pages of the tests live too short for the second to pay."""
+
 BLOCKED: dict[str, Any] = {"service_workers": "block"}
 
 
@@ -78,7 +81,7 @@ def chromium() -> Iterator[Browser]:
     """
     from hexalab.hosts.browser import browser
 
-    with browser() as running, pytest.MonkeyPatch.context() as patch:
+    with browser(QUICK) as running, pytest.MonkeyPatch.context() as patch:
         for name in ("new_context", "new_page"):
             patch.setattr(running, name, partial(_opened, getattr(running, name)))
         yield running

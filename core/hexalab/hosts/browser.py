@@ -42,16 +42,16 @@ def executable(playwright: Playwright) -> str:
     )
 
 
-def launch(playwright: Playwright) -> Browser:
+def launch(playwright: Playwright, more: tuple[str, ...] = ()) -> Browser:
     """Start Chromium without a window and with a software GPU, so that pictures are the same everywhere."""
-    return playwright.chromium.launch(executable_path=executable(playwright), args=list(ARGUMENTS))
+    return playwright.chromium.launch(executable_path=executable(playwright), args=[*ARGUMENTS, *more])
 
 
 @contextmanager
-def browser() -> Iterator[Browser]:
-    """A Chromium for the time of a `with` block."""
+def browser(*more: str) -> Iterator[Browser]:
+    """A Chromium for the time of a `with` block; with more arguments than `ARGUMENTS`, where they are given."""
     with sync_playwright() as playwright:
-        running = launch(playwright)
+        running = launch(playwright, more)
         try:
             yield running
         finally:
