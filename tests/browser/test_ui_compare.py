@@ -249,6 +249,9 @@ def test_S6_a_curtain_is_dragged(two: Page) -> None:
     assert ui.status(two)["compare"]["divider"] == pytest.approx(0.3, abs=0.01)
     widths = [two.locator(name).bounding_box()["width"] for name in ("#canvas", "#second-canvas")]  # type: ignore[index]
     assert widths == [view["width"]] * 2
+    ui.set_status(two, {"camera": {"distance": 9.0}})
+    two.get_by_role("button", name="Fit what is shown").click()  # though the second picture lies over it
+    assert ui.status(two)["camera"]["distance"] < 5
     line.focus()
     two.keyboard.press("ArrowRight")
     assert ui.status(two)["compare"]["divider"] == pytest.approx(0.32, abs=0.01)
