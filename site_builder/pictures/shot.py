@@ -16,7 +16,7 @@ from ..model.catalogue import MeshEntry
 WIDTH, HEIGHT = 720, 480
 """Pixels: twice what a card shows."""
 
-STYLE = 4
+STYLE = 5
 """Raise it to have every picture taken anew, when the viewer draws otherwise than before."""
 
 Status = dict[str, Any]

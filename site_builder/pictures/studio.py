@@ -17,6 +17,10 @@ from hexalab.status import DEFAULTS, merge
 from .album import Album
 from .shot import HEIGHT, WIDTH, Shot
 
+DIRECTIONS = 256
+"""From which light is gathered, of the 1024 that the viewer takes: then a grey differs by more than four of 255 in one
+pixel of a hundred at most."""
+
 UNFOLD = """(part) => {
   for (let fold = part.closest("details"); fold; fold = fold.parentElement.closest("details")) {
     if (!fold.open) fold.dataset.unfolded = "";
@@ -68,7 +72,7 @@ class Studio(Viewer):
         server = started.enter_context(make_server(self._site))
         threading.Thread(target=server.serve_forever, daemon=True).start()
         started.callback(server.shutdown)
-        return f"{server.address}viewer/"
+        return f"{server.address}viewer/?directions={DIRECTIONS}"
 
     def take(self, shot: Shot) -> bytes:
         """The PNG of a shot, its status inside.

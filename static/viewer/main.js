@@ -54,7 +54,7 @@ function buildPage() {
 
 /** @type {import("./lighting/lighting.js").MakeLighting} */
 function makeLighting(renderer, layer) {
-  return new Lighting(renderer, layer);
+  return new Lighting(renderer, layer, host.directions);
 }
 
 /** @param {HTMLCanvasElement} on @param {import("./state/status.js").Status["camera"]} camera @param {Promise<unknown>} [free] @returns {import("./scene/scene_like.js").SceneLike} */

@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import io
 import json
+import os
 import shutil
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -118,7 +119,9 @@ def test_T4_a_picture_of_structure_opens_what_it_shows(page: Page, site: str):
     page.evaluate("() => window.hexalab.settled()")
     again = pixels(base64.b64decode(page.evaluate(SCREENSHOT)))
     kept = pixels(SITE / "guide" / "structure" / "crossing.png")
-    assert np.abs(again - kept).mean() < 0.5
+    differing = np.abs(again - kept)  # the build's light comes from 256 directions, the viewer's from 1024
+    assert differing.mean() < 0.5
+    assert (differing.max(axis=2) > 4).mean() < 0.01
     red, green, blue = np.moveaxis(kept, -1, 0)
     teal, amber = (green > red + 60) & (blue > red + 40), (red > blue + 90) & (green > blue + 40)
     assert 0.01 < teal.mean() < 0.3
@@ -148,6 +151,8 @@ def built(repository: Path, site: Path) -> BuildReport:
 def test_C7_a_picture_is_taken_once(tmp_path: Path):
     repository, site = tmp_path / "repository", tmp_path / "site"
     shutil.copytree(DEMO, repository, ignore=shutil.ignore_patterns("__pycache__"))
+    for made in SITE.parent.glob("cache/*-*"):  # the viewer and its Python, which are the same
+        shutil.copytree(made, tmp_path / "cache" / made.name, copy_function=os.link)
     first = built(repository, site)
     assert (first.taken, first.notes) == (3, [])
     files = sorted((site / "pictures").rglob("*.png"))

@@ -15,6 +15,7 @@
  * @property {Ahead} ahead
  * @property {() => Promise<string>} sheet the frame of a page of one file
  * @property {import("./offers.js").Offers | null} offers meshes that the core has at hand
+ * @property {number} [directions] from which light is gathered, where the page's address asks for fewer than all
  * @property {import("../core/kernel_transport.js").Port} [port] to a notebook's kernel, with which settings are shared
  */
 

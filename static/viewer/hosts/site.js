@@ -32,6 +32,7 @@ export function site() {
     shares: true,
     steps: !embedded,
     embedded,
+    directions: Number(asked.get("directions")) || undefined,
     addressed,
     beside: asked.get("with") === "" ? null : (asked.get("with") ?? ""),
     client,

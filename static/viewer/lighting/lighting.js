@@ -66,9 +66,13 @@ export class Lighting {
   #covering = false;
   #view = "";
 
-  /** @param {import("three").WebGLRenderer} renderer @param {LitLayer} layer */
-  constructor(renderer, layer) {
-    this.object = new ObjectSpaceAO(renderer);
+  /**
+   * @param {import("three").WebGLRenderer} renderer
+   * @param {LitLayer} layer
+   * @param {number} [most] directions from which light is gathered
+   */
+  constructor(renderer, layer, most) {
+    this.object = new ObjectSpaceAO(renderer, most);
     this.#screen = new ScreenSpaceAO(renderer);
     this.#budget = new TimeBudget(/** @type {WebGL2RenderingContext} */ (renderer.getContext()), 64);
     this.#layer = layer;

@@ -16,7 +16,8 @@ const ATLAS = 2048;
 export const ENOUGH = 6;
 
 /**
- * Openness of every drawn vertex to light from 1024 directions, added up on the GPU a batch at a time and never read back.
+ * Openness of every drawn vertex to light from 1024 directions, or fewer where told so, added up on the GPU a batch at a
+ * time and never read back.
  *
  * @example
  * light.setSurface(surface, geometry);
@@ -26,6 +27,7 @@ export class ObjectSpaceAO {
   /** Directions gathered so far. */
   count = 0;
   #renderer;
+  #most;
   #towards = directions();
   #gatherer = new Gatherer();
   /** Has the program of the depth maps, before there is one. */
@@ -45,9 +47,10 @@ export class ObjectSpaceAO {
   /** @type {BufferGeometry | null} */
   #plates = null;
 
-  /** @param {import("three").WebGLRenderer} renderer */
-  constructor(renderer) {
+  /** @param {import("three").WebGLRenderer} renderer @param {number} [most] directions: a power of two up to 1024 */
+  constructor(renderer, most = DIRECTIONS) {
     this.#renderer = renderer;
+    this.#most = 2 ** Math.floor(Math.log2(Math.min(DIRECTIONS, Math.max(ENOUGH, most))));
   }
 
   /** By which it is drawn. The depth maps' is that of one that is made later: its program is the same. */
@@ -61,7 +64,7 @@ export class ObjectSpaceAO {
   }
 
   get done() {
-    return this.#surface === null || this.count >= DIRECTIONS;
+    return this.#surface === null || this.count >= this.#most;
   }
 
   get empty() {
