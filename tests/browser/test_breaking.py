@@ -161,3 +161,22 @@ def test_P7_thirty_meshes_take_no_more_memory_than_two(viewer: Page, site: str, 
     sizes = thirty(viewer, f"{site}/bench/thirty.mesh")
     assert sizes[1] > 10e6
     assert sizes[-1] <= sizes[1]
+
+
+def test_P7_a_second_mesh_that_goes_leaves_nothing(viewer: Page, site: str, shelf: Path) -> None:
+    (shelf / "one.mesh").write_bytes(write_medit.write(grid(2, 2, 2)))
+    address = f"{site}/bench/one.mesh"
+    viewer.evaluate("url => window.hexalab.open(url)", address)
+    session = viewer.context.new_cdp_session(viewer)
+
+    def left(times: int) -> tuple[int, int]:
+        """Nodes and listeners of the page after so many more comparisons with another mesh."""
+        for _ in range(times):
+            viewer.evaluate("url => window.hexalab.compare(url)", address)
+            viewer.evaluate("() => window.hexalab.endComparison()")
+        ui.until(lambda: len(viewer.workers) == 1)
+        session.send("HeapProfiler.collectGarbage")
+        counted = session.send("Memory.getDOMCounters")
+        return counted["nodes"], counted["jsEventListeners"]
+
+    assert left(3) == left(5)

@@ -18,5 +18,5 @@ export function followSize(scene, canvas, facts, signal) {
   observer.observe(canvas);
   signal?.addEventListener("abort", () => observer.disconnect());
   window.addEventListener("resize", resize, { signal });
-  followPixelRatio(resize);
+  followPixelRatio(resize, signal);
 }

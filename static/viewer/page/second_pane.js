@@ -47,9 +47,10 @@ export function secondPane({ first, another, makeScene }) {
   pictureInWords(context, canvas, caption);
   new Tools(side, canvas, ending.signal);
   followSize(scene, canvas, facts, ending.signal);
-  lookAtTheSame(first, side);
+  const lookApart = lookAtTheSame(first, side);
   const close = () => {
     ending.abort();
+    lookApart();
     messages.end(); // that its core was closed under what was asked of it is no news
     store.stop();
     client.dispose();
@@ -59,7 +60,7 @@ export function secondPane({ first, another, makeScene }) {
   return Object.assign(side, { store, close });
 }
 
-/** Of meshes of the same cells the inspectors tell of the same one, where there is room for both. @param {import("../app/side.js").Side} first @param {import("../app/side.js").Side} second */
+/** Of meshes of the same cells the inspectors tell of the same one, where there is room for both. @param {import("../app/side.js").Side} first @param {import("../app/side.js").Side} second @returns {() => void} ends it */
 function lookAtTheSame(first, second) {
   const wide = matchMedia("(min-width: 721px)");
   const follow = (
@@ -71,6 +72,6 @@ function lookAtTheSame(first, second) {
       const row = cell?.cell ?? null;
       if (here && wide.matches && row !== (to.facts.get("cell")?.cell ?? null)) void to.inspect(row);
     });
-  follow(first, second);
-  follow(second, first);
+  const stops = [follow(first, second), follow(second, first)];
+  return () => stops.forEach((stop) => stop());
 }

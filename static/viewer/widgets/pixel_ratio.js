@@ -1,11 +1,16 @@
-/** Call when the pixel ratio changes, which alone changes no size: as when a window goes to another screen. @param {() => void} changed */
-export function followPixelRatio(changed) {
+/**
+ * Call when the pixel ratio changes, which alone changes no size: as when a window goes to another screen.
+ *
+ * @param {() => void} changed
+ * @param {AbortSignal} [signal] that ends it
+ */
+export function followPixelRatio(changed, signal) {
   matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener(
     "change",
     () => {
       changed();
-      followPixelRatio(changed);
+      followPixelRatio(changed, signal);
     },
-    { once: true },
+    { once: true, signal },
   );
 }
