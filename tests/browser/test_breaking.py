@@ -179,4 +179,4 @@ def test_P7_a_second_mesh_that_goes_leaves_nothing(viewer: Page, site: str, shel
         counted: int = session.send("Memory.getDOMCounters")["jsEventListeners"]
         return counted
 
-    assert listeners(3) == listeners(5)
+    assert listeners(1) == listeners(3)
