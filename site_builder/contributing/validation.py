@@ -15,8 +15,9 @@ from ..measuring.measurer import Measurer
 from ..model.catalogue import Catalogue, MeshEntry, Problem, Source
 from ..model.names import ending
 from ..model.problems import disagreements, problem_of
+from ..model.published import FACTS_FILE
 from ..pages.words import count, file_size, number, structure_word, verdict
-from ..reading.repository import FACTS_FILE, LARGEST_FILE, read_repository, read_source
+from ..reading.repository import LARGEST_FILE, read_repository, read_source
 
 KNOWN_FILES = ("source.yaml", FACTS_FILE, "make.py", "README.md", "LICENSE")
 LARGEST_SOURCE = 100_000_000

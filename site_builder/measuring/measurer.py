@@ -73,8 +73,8 @@ class Measurer:
         return self._cache / what.split(".")[0] / f"{key}-{self._version}.{what}"
 
 
-OWN = frozenset(("file", "groups", "features"))
-"""Facts of a summary that the catalogue does not tell: they are for whoever works with the file."""
+OWN = frozenset(("file", "features"))
+"""Facts of a summary that the catalogue does not tell as they are."""
 
 
 def measure(data: bytes, name: str) -> Facts:
@@ -99,6 +99,7 @@ def measure(data: bytes, name: str) -> Facts:
         histogram=_histogram(finite),
         notes=list(mesh.notes),
         structure=facts_of(Structure(mesh)),
+        features={name: row for name, row in summary["features"].items() if row["count"]},
         **{key: _valences(key, value) for key, value in summary.items() if key not in OWN},
     )
 

@@ -9,6 +9,7 @@ from urllib.parse import quote
 
 from .facts import Facts
 from .names import doi_address, ending
+from .published import Collected
 
 
 class Author(TypedDict, total=False):
@@ -80,6 +81,12 @@ class MeshEntry:
         Absolute address of a remote file, "" for others.
     local : Path or None
         The file on this disk, once it is there.
+    up : str
+        The axis that points up, as "y" or "-z"; "" to have it guessed.
+    same_as : str
+        Slug of another of the source's meshes that this file holds too, in another format; "" for none.
+    collected, picture : Collected or None, Path or None
+        Of a remote mesh, what was measured of it before, and the picture that was taken.
     line, lines : int, dict of str to int
         Where source.yaml has its row, and each field of it.
     """
@@ -96,6 +103,10 @@ class MeshEntry:
     declared_sha256: str | None = None
     declared_cells: int | None = None
     facts: Facts = field(default_factory=Facts)
+    up: str = ""
+    same_as: str = ""
+    collected: Collected | None = None
+    picture: Path | None = None
     line: int = 0
     lines: dict[str, int] = field(default_factory=dict)
 
@@ -122,7 +133,7 @@ class MeshEntry:
     @property
     def picture_address(self) -> str:
         """Address of the thumbnail below the site's root."""
-        return f"pictures/{self.id}.png"
+        return f"pictures/{self.id}.{'webp' if self.remote else 'png'}"
 
     @property
     def file_name(self) -> str:

@@ -6,12 +6,8 @@ Every field may be unknown (None): a remote file that nobody here has measured h
 from __future__ import annotations
 
 import dataclasses
-import json
-import math
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any, TypedDict
 
 Counts = dict[int, int]
@@ -93,6 +89,8 @@ class Facts:
         The worst first.
     structure : dict
         What `hexalab structure --json` tells (`hexalab.structure.facts.facts_of`).
+    groups, features : list, dict
+        What the file groups and marks (`hexalab.group_facts`): of features those that there are.
     """
 
     bytes: int | None = None
@@ -124,6 +122,8 @@ class Facts:
     findings: list[Finding] | None = None
     notes: list[str] | None = None
     structure: dict[str, Any] | None = None
+    groups: list[dict[str, Any]] | None = None
+    features: dict[str, Any] | None = None
 
     @classmethod
     def from_dict(cls, values: Mapping[str, Any]) -> Facts:
@@ -190,38 +190,3 @@ class Facts:
         if self.validity is not None:
             return self.validity["invalid"]
         return self.sj_not_positive
-
-
-_WHOLE = ("bytes", "vertices", "cells", "boundary_faces", "nonmanifold_faces", "edges", "unreferenced_vertices",
-          "components", "sj_not_positive", "sj_not_finite")  # fmt: skip
-_REAL = ("sj_min", "sj_mean", "sj_max")
-_TABLES = ("interior_edge_valence", "boundary_edge_valence")
-
-
-def read_published(file: Path) -> dict[str, Facts]:
-    """Facts of remote files, by the ``url`` of their row in source.yaml.
-
-    Raises
-    ------
-    ValueError
-        A fact isn't one that may be told of a remote file, or isn't what it should be.
-    """
-    rows = json.loads(file.read_text("utf-8"))
-    for url, values in rows["meshes"].items():
-        for name, value in values.items():
-            if not _believable(name, value):
-                raise ValueError(f"{name!r} of {url!r} is {json.dumps(value)[:60]}")
-    return {url: Facts.from_dict(values) for url, values in rows["meshes"].items()}
-
-
-def _believable(name: str, value: Any) -> bool:
-    if name in _WHOLE:
-        return type(value) is int and value >= 0
-    if name in _REAL:
-        return type(value) in (int, float) and math.isfinite(value)
-    if name in _TABLES:
-        return isinstance(value, dict) and all(
-            key.isascii() and key.isdigit() and type(number) is int and number >= 0
-            for key, number in value.items()
-        )
-    return name == "sha256" and isinstance(value, str) and re.fullmatch(r"[0-9a-f]{64}", value) is not None

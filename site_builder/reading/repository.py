@@ -9,8 +9,8 @@ from typing import Any, cast
 from urllib.parse import quote, unquote, urljoin
 
 from ..model.catalogue import Catalogue, MeshEntry, Problem, Reference, Source
-from ..model.facts import Facts, read_published
 from ..model.names import ending, mesh_name, on_this_machine, slug
+from ..model.published import FACTS_FILE, PICTURES, Collected, read_published
 from .checking import matches, schema, schema_problems
 from .documents import Document, DocumentError, FieldPath, field_name, read_yaml
 
@@ -20,7 +20,6 @@ LARGEST_FILE = 25_000_000
 LONGEST_NAME = 200
 """Bytes of a file's or a folder's name."""
 
-FACTS_FILE = "facts.json"
 _SLUG = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 
 
@@ -90,13 +89,15 @@ def read_source(folder: Path, problems: list[Problem], root: Path | None = None)
     )
     published = _published_facts(folder, problems, root)
     for index, row in enumerate(data["meshes"]):
-        mesh = _mesh(source, row, data.get("base_url", ""))
+        mesh = _mesh(source, row, data)
         mesh.line = document.line(("meshes", index))
         mesh.lines = {name: document.line(("meshes", index, name)) for name in row}
         for path, message in _mesh_problems(mesh, index):
             problems.append(_problem("error", document, path, message, root))
             mesh.local = None
-        mesh.facts = published.pop(mesh.key, Facts())
+        if mesh.key in published:
+            mesh.collected = published.pop(mesh.key)
+            mesh.facts = mesh.collected.facts
         if mesh.facts.sha256 and mesh.declared_sha256 not in (None, mesh.facts.sha256):
             message = f"{mesh.declared_sha256} here, but {mesh.facts.sha256} in {FACTS_FILE}"
             problems.append(_problem("error", document, ("meshes", index, "sha256"), message, root))
@@ -105,6 +106,8 @@ def read_source(folder: Path, problems: list[Problem], root: Path | None = None)
         message = f"{key!r} is no url of a mesh in source.yaml"
         problems.append(Problem("error", _shown(folder / FACTS_FILE, root), 0, "meshes", message))
     _check_slugs(source, document, problems, root)
+    for path, message in _lost_originals(source):
+        problems.append(_problem("error", document, path, message, root))
     for path, message in _doubts(source):
         problems.append(_problem("warning", document, path, message, root))
     return source
@@ -137,16 +140,18 @@ def _csl_item(source_slug: str, reference: Mapping[str, Any]) -> Reference:
     return cast("Reference", item)
 
 
-def _mesh(source: Source, row: Mapping[str, Any], base: str) -> MeshEntry:
+def _mesh(source: Source, row: Mapping[str, Any], whole: Mapping[str, Any]) -> MeshEntry:
     kind = next(kind for kind in ("file", "url", "made") if kind in row)
     key = row[kind]
     path = unquote(key.split("?")[0]) if kind == "url" else key
     if kind == "url" and "://" in key:
         path = path.rsplit("/", 1)[-1]
-    remote = _address(base, key) if kind == "url" else ""
+    remote = _address(whole.get("base_url", ""), key) if kind == "url" else ""
+    called = row.get("slug") or slug(mesh_name(path)) or "mesh"
+    picture = source.folder / PICTURES / f"{called}.webp"
     return MeshEntry(
         source=source,
-        slug=row.get("slug") or slug(mesh_name(path)) or "mesh",
+        slug=called,
         name=row.get("name") or mesh_name(path),
         kind=kind,
         path=path,
@@ -156,6 +161,9 @@ def _mesh(source: Source, row: Mapping[str, Any], base: str) -> MeshEntry:
         local=source.folder / path if kind == "file" else None,
         declared_sha256=row.get("sha256"),
         declared_cells=row.get("cells"),
+        up=row.get("up", whole.get("up", "")),
+        same_as=row.get("same_as", ""),
+        picture=picture if kind == "url" and picture.is_file() else None,
     )
 
 
@@ -218,7 +226,7 @@ def _doubts(source: Source) -> Iterator[tuple[FieldPath, str]]:
             yield ("meshes", index, "url"), f"a remote file should be given with its {' and '.join(missing)}"
 
 
-def _published_facts(folder: Path, problems: list[Problem], root: Path) -> dict[str, Facts]:
+def _published_facts(folder: Path, problems: list[Problem], root: Path) -> dict[str, Collected]:
     file = folder / FACTS_FILE
     if not file.exists():
         return {}
@@ -227,6 +235,21 @@ def _published_facts(folder: Path, problems: list[Problem], root: Path) -> dict[
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
         problems.append(Problem("error", _shown(file, root), 0, "", f"not a table of facts: {error}"))
         return {}
+
+
+def _lost_originals(source: Source) -> Iterator[tuple[FieldPath, str]]:
+    """Rows that are the same as a row that isn't above them, or is itself the same as another."""
+    originals: dict[str, MeshEntry] = {}
+    for index, mesh in enumerate(source.meshes):
+        if not mesh.same_as:
+            originals[mesh.slug] = mesh
+            continue
+        original = originals.get(mesh.same_as)
+        if original is None:
+            yield ("meshes", index, "same_as"), f"no row above it has the slug {mesh.same_as!r}"
+        elif None not in (mesh.cells, original.cells) and mesh.cells != original.cells:
+            message = f"{mesh.cells:,} cells, but {original.slug!r} has {original.cells:,}"
+            yield ("meshes", index, "same_as"), message
 
 
 def _check_slugs(source: Source, document: Document, problems: list[Problem], root: Path) -> None:

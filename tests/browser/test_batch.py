@@ -319,14 +319,14 @@ def test_B3_a_process_that_dies_costs_its_own_mesh_alone(
     words: list[str], tmp_path: Path, meshes: Path
 ) -> None:
     code = (
-        "import os, hexalab.hosts.batching.work as work, hexalab.hosts.batching.worker as worker\n"
+        "import os, hexalab.hosts.batching.work as work, hexalab.hosts.labour.worker as worker\n"
         "run = work.run\n"
-        "worker.run = lambda job: os._exit(9) if job['name'] == 'box.mesh' else run(job)\n"
+        "work.run = lambda job: os._exit(9) if job['name'] == 'box.mesh' else run(job)\n"
         "worker.main()\n"
     )
     (tmp_path / "dying.py").write_text(code)
     script = (
-        "import sys\nfrom hexalab.hosts.batching import crew\nfrom hexalab import cli\n"
+        "import sys\nfrom hexalab.hosts.labour import crew\nfrom hexalab import cli\n"
         "crew.WORKER = ['dying']\nsys.exit(cli.main(sys.argv[1:]))\n"
     )
     done = subprocess.run(

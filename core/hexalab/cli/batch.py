@@ -11,8 +11,8 @@ from pathlib import Path
 
 from ..errors import HexaLabError
 from ..hosts.batching import Job, Look, Results, jobs_in
-from ..hosts.batching.crew import Crew
 from ..hosts.batching.records import Outcome, kept
+from ..hosts.labour.crew import Crew
 from . import CLUSTER, FINDING, INTERRUPTED, missing
 from .render import side
 from .settings import HELP, read_status
@@ -95,12 +95,15 @@ def work(jobs: Sequence[Job], arguments: Namespace) -> Generator[Outcome]:
     """Do jobs where they are wanted."""
     if arguments.scheduler:
         try:
-            from ..hosts.batching.cluster import outcomes
+            from ..hosts.batching.work import CRAFT
+            from ..hosts.labour.cluster import outcomes
         except ModuleNotFoundError as error:
             raise missing("--scheduler", error, CLUSTER) from None
-        return outcomes(jobs, arguments.scheduler)
-    import_module("hexalab.hosts.rendering")  # what is missing is told before a process is started
-    return Crew(arguments.jobs).outcomes(jobs)
+        return outcomes(CRAFT, jobs, arguments.scheduler)
+    craft = import_module(
+        "hexalab.hosts.batching.work"
+    ).CRAFT  # what is missing is told before a process starts
+    return Crew(craft, arguments.jobs).outcomes(jobs)
 
 
 def shown(coming: Iterator[Outcome], total: int, done: int) -> Iterator[Outcome]:

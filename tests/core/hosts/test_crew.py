@@ -13,14 +13,16 @@ from contextlib import suppress
 
 import pytest
 
-from hexalab.hosts.batching import Job, Look, crew
-from hexalab.hosts.batching.records import Outcome
+from hexalab.hosts.batching import Job, Look
+from hexalab.hosts.batching.records import Outcome, failed
+from hexalab.hosts.labour import Craft, crew
 
 pytestmark = pytest.mark.skipif(sys.platform == "emscripten", reason="hosts run natively")
 
 DEAF = ["timeit", "-n", "1", "-r", "1", "__import__('time').sleep(600)"]
 """A module of Python's own, with arguments, that reads nothing."""
 
+CRAFT: Craft[Job, Outcome] = Craft("hexalab.hosts.batching.work", failed)
 JOB = Job("folder", "box.mesh", "box", (), "", Look({}), "out")
 
 
@@ -50,7 +52,7 @@ class Handed(subprocess.Popen[str]):
 def test_B3_a_process_is_ended_while_it_is_handed_a_job(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(crew, "WORKER", DEAF)
     monkeypatch.setattr(crew.subprocess, "Popen", Handed)
-    hand = crew.Hand()
+    hand = crew.Hand(CRAFT)
     outcomes: list[Outcome] = []
     thread = threading.Thread(target=lambda: outcomes.append(hand.do(JOB)), daemon=True)
     thread.start()
@@ -65,7 +67,7 @@ def test_B3_no_process_is_started_after_the_end(monkeypatch: pytest.MonkeyPatch)
     def start(*_: object, **__: object) -> None:
         raise AssertionError("a process was started")
 
-    hand = crew.Hand()
+    hand = crew.Hand(CRAFT)
     hand.end()
     monkeypatch.setattr(crew.subprocess, "Popen", start)
     assert "ended before" in hand.do(JOB)["measured"]["problem"]

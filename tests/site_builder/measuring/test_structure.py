@@ -11,7 +11,8 @@ from hexalab import structure
 from hexalab.formats import read_bytes
 from hexalab.structure import facts_of
 from site_builder.measuring.measurer import Measurer, measure
-from site_builder.model.facts import Facts, read_published
+from site_builder.model.facts import Facts
+from site_builder.model.published import read_published
 from tests.published import SHARED
 
 REPOSITORY = Path(__file__).resolve().parents[3] / "repository"
@@ -88,6 +89,9 @@ def test_T6_beside_other_cells_hexahedra_are_traced() -> None:
 def test_T6_facts_without_a_structure_are_read_as_ever() -> None:
     facts = Facts.from_dict({"cells": 8, "interior_edge_valence": {"4": 6, "5": 2}})
     assert facts.irregular_edges == 2 and "structure" not in facts.to_dict()
-    (remote,) = read_published(Path(__file__).parents[1] / "demo" / "far" / "facts.json").values()
+    (remote,) = (
+        one.facts
+        for one in read_published(Path(__file__).parents[1] / "demo" / "far" / "facts.json").values()
+    )
     assert remote.structure is None
     assert [getattr(remote, figure) for figure in FIGURES] == [None] * 4

@@ -10,6 +10,7 @@ from zipfile import BadZipFile
 from ... import __version__
 from ...errors import HexaLabError
 from ..headless import RenderError
+from ..labour import Craft
 from ..rendering import Renderer
 from .jobs import Job
 from .records import Outcome, failed, keep
@@ -68,3 +69,11 @@ def run(values: dict[str, Any]) -> Outcome:
     if not portrait.measured["problem"]:
         keep(job, key, outcome)
     return outcome
+
+
+def finish() -> None:
+    """Close the browser."""
+    BENCH.clear()
+
+
+CRAFT: Craft[Job, Outcome] = Craft(__name__, failed)

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import json
 import sys
-
-from .work import BENCH, run
+from importlib import import_module
 
 
 def main() -> None:
-    """Work until there are no more jobs."""
+    """Work until there are no more jobs; the craft's module is named on the command line."""
     answers = sys.stdout
     sys.stdout = sys.stderr  # what a library prints is no answer
+    craft = import_module(sys.argv[1])
     for line in sys.stdin:
-        answers.write(json.dumps(run(json.loads(line))) + "\n")
+        answers.write(json.dumps(craft.run(json.loads(line))) + "\n")
         answers.flush()
-    BENCH.clear()
+    craft.finish()
 
 
 if __name__ == "__main__":

@@ -11,24 +11,24 @@ import threading
 from collections.abc import Generator, Sequence
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
+from typing import Any, Generic
 
-from .jobs import Job
-from .records import Outcome, failed
+from .craft import Craft, Job, Outcome
 
 PATIENCE = 3600.0
 """Seconds for one mesh."""
 
-WORKER = ["hexalab.hosts.batching.worker"]
-"""The module that a process runs."""
+WORKER = ["hexalab.hosts.labour.worker"]
+"""The module that a process runs; the craft's own is its argument."""
 
 CORE = str(Path(__file__).resolve().parents[3])
 
 
-class Hand:
+class Hand(Generic[Job, Outcome]):
     """One process, started when it is needed."""
 
-    def __init__(self) -> None:
+    def __init__(self, craft: Craft[Job, Outcome]) -> None:
+        self._craft = craft
         self._process: subprocess.Popen[str] | None = None
         self._ended = False
         self._starting = threading.Lock()
@@ -37,7 +37,7 @@ class Hand:
         """Do a job; another thread may `end` the process at any time."""
         with self._starting:
             if self._ended:
-                return failed(job, "the batch was ended before")
+                return self._craft.failed(job, "the work was ended before")
             process = self._process or self._start()
         assert process.stdin and process.stdout
         late = threading.Timer(PATIENCE, process.kill)
@@ -57,7 +57,7 @@ class Hand:
         self._process = None
         code = process.wait()
         reason = f"no end within {PATIENCE:.0f} s" if overdue else f"the process ended with code {code}"
-        return failed(job, f"{reason}: the mesh may need more memory than there is")
+        return self._craft.failed(job, f"{reason}: the mesh may need more memory than there is")
 
     def end(self) -> None:
         """End the process for good, whatever it is at."""
@@ -83,24 +83,25 @@ class Hand:
             apart = {"creationflags": getattr(subprocess, "CREATE_NEW_PROCESS_GROUP", 0)}
         paths = [CORE, *filter(None, [os.environ.get("PYTHONPATH")])]
         self._process = subprocess.Popen(
-            [sys.executable, "-m", *WORKER],
+            [sys.executable, "-m", *WORKER, self._craft.module],
             stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, encoding="utf-8",
             env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)}, **apart,
         )  # fmt: skip
         return self._process
 
 
-class Crew:
+class Crew(Generic[Job, Outcome]):
     """Does jobs side by side.
 
     Parameters
     ----------
+    craft : Craft
     count : int
         Processes.
     """
 
-    def __init__(self, count: int) -> None:
-        self._count = count
+    def __init__(self, craft: Craft[Job, Outcome], count: int) -> None:
+        self._craft, self._count = craft, count
 
     def outcomes(self, jobs: Sequence[Job]) -> Generator[Outcome]:
         """Do all jobs; what came of each, as it is done. Closing the iterator ends all processes."""
@@ -108,10 +109,10 @@ class Crew:
         done: queue.SimpleQueue[Outcome] = queue.SimpleQueue()
         for job in jobs:
             waiting.put(job)
-        hands = [Hand() for _ in range(min(self._count, len(jobs)))]
+        hands = [Hand(self._craft) for _ in range(min(self._count, len(jobs)))]
         stopped = threading.Event()
 
-        def work(hand: Hand) -> None:
+        def work(hand: Hand[Job, Outcome]) -> None:
             while not stopped.is_set():
                 try:
                     job = waiting.get_nowait()

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Generator, Sequence
+from importlib import import_module
 from time import monotonic
 from typing import Any
 
 from distributed import Client, wait
 
 from ...errors import HexaLabError
-from .jobs import Job
-from .records import Outcome, failed
-from .work import run
+from .craft import Craft, Job, Outcome
 
 REACH = 5.0
 """Seconds within which a scheduler answers."""
@@ -23,11 +22,12 @@ ALONE = 30.0
 """Seconds that are waited for a worker, at the beginning and when all have gone."""
 
 
-def outcomes(jobs: Sequence[Job], address: str) -> Generator[Outcome]:
+def outcomes(craft: Craft[Job, Outcome], jobs: Sequence[Job], address: str) -> Generator[Outcome]:
     """Do all jobs; what came of each, as it is done. Closing the iterator cancels what is left.
 
     Parameters
     ----------
+    craft : Craft
     jobs : sequence of Job
     address : str
         The scheduler's, as "tcp://host:8786", or the path of its file.
@@ -37,6 +37,7 @@ def outcomes(jobs: Sequence[Job], address: str) -> Generator[Outcome]:
     HexaLabError
         No scheduler answers, or it has no worker.
     """
+    run = import_module(craft.module).run
     client = _client(address)
     try:
         futures: dict[Any, Job] = {
@@ -51,7 +52,7 @@ def outcomes(jobs: Sequence[Job], address: str) -> Generator[Outcome]:
             except TimeoutError:
                 done = set()
             for future in done:
-                yield _outcome(future, futures.pop(future))
+                yield _outcome(craft, future, futures.pop(future))
             if done or client.scheduler_info()["workers"]:
                 seen = monotonic()
             elif monotonic() - seen > ALONE:
@@ -69,9 +70,9 @@ def _client(address: str) -> Client:
         raise HexaLabError(f"no scheduler answers at {address}: {error}") from None
 
 
-def _outcome(future: Any, job: Job) -> Outcome:
+def _outcome(craft: Craft[Job, Outcome], future: Any, job: Job) -> Outcome:
     if future.status == "finished":
         outcome: Outcome = future.result()
         return outcome
     error = future.exception()
-    return failed(job, f"the worker gave up: {type(error).__name__}: {error}")
+    return craft.failed(job, f"the worker gave up: {type(error).__name__}: {error}")
