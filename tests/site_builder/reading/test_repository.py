@@ -221,7 +221,8 @@ def test_C1_facts_belong_to_a_mesh(demo):
     "facts",
     ['{"colour": "red"}', '{"cells": "lots"}', '{"cells": true}', '{"cells": -1}', '{"sj_min": NaN}',
      '{"sha256": "<b>"}', '{"interior_edge_valence": {"4": "x"}}', '{"interior_edge_valence": {"four": 1}}',
-     '{"notes": "x"}', '{"secret": 1}', '{"view": {}}', '{"structure": {}}', '{"quality": {"beauty": []}}', '"x"', "[" * 100_000],
+     '{"notes": "x"}', '{"secret": 1}', '{"view": {}}', '{"structure": {}}', '{"quality": {"beauty": []}}',
+     '"x"', "[" * 100_000],
 )  # fmt: skip
 def test_C1_facts_that_cannot_be_are_refused(demo, facts):
     file = demo / "far" / "facts.json"
