@@ -17,10 +17,11 @@ from hexalab.quality import histogram, quality
 from hexalab.quality.validity import certify
 from hexalab.session import Session
 from hexalab.session.opened import Opened
+from hexalab.status.views import View
 from hexalab.structure import Structure, facts_of
 from hexalab.summary import summarise
 
-from ..model.facts import Binned, Facts, Validity
+from ..model.facts import Binned, Facts, Looked, Validity
 
 BINS = 60
 """Bins of the Scaled Jacobian's histogram."""
@@ -77,10 +78,10 @@ OWN = frozenset(("file", "features"))
 """Facts of a summary that the catalogue does not tell as they are."""
 
 
-def measure(data: bytes, name: str) -> Facts:
-    """The facts of a mesh file's bytes."""
+def measure(data: bytes, name: str, up: str = "") -> Facts:
+    """The facts of a mesh file's bytes; the axis that points up is guessed where none is given."""
     mesh = turn_round(read_bytes(data, name))
-    placed = Opened(mesh).placed
+    opened = Opened(mesh)
     summary = summarise(mesh)
     jacobian = quality(mesh, "scaled_jacobian")
     finite = jacobian[np.isfinite(jacobian)]
@@ -93,8 +94,8 @@ def measure(data: bytes, name: str) -> Facts:
         sj_max=jacobians["max"],
         sj_not_positive=int(np.count_nonzero(finite <= 0)),
         sj_not_finite=jacobians["not_finite"],
-        extent=placed["extent"],
-        view=placed["view"],
+        extent=opened.mesh.extent.tolist(),
+        view=looked(opened.view(up)),
         validity=_validity(mesh),
         histogram=_histogram(finite),
         notes=list(mesh.notes),
@@ -102,6 +103,11 @@ def measure(data: bytes, name: str) -> Facts:
         features={name: row for name, row in summary["features"].items() if row["count"]},
         **{key: _valences(key, value) for key, value in summary.items() if key not in OWN},
     )
+
+
+def looked(view: View) -> Looked:
+    """A view as facts keep it."""
+    return {"direction": view.direction, "up": view.up, "facing": view.facing}
 
 
 def _valences(key: str, value: Any) -> Any:

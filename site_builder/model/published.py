@@ -74,7 +74,7 @@ def _collected(url: str, row: dict[str, Any], version: int) -> Collected:
     for name, value in row.items():
         if name not in CHECKS or not CHECKS[name](value):
             raise ValueError(f"{name!r} of {url!r} is {json.dumps(value)[:60]}")
-    etag, picture = row.pop("etag", ""), row.pop("picture", "")
+    etag, picture, version = row.pop("etag", ""), row.pop("picture", ""), row.pop("version", version)
     if "quality" in row:
         row["quality"] = {
             metric: dict(zip(STATISTICS, numbers, strict=True)) for metric, numbers in row["quality"].items()
@@ -98,7 +98,9 @@ def _row(one: Collected) -> dict[str, Any]:
             metric: [_rounded(numbers[name]) for name in STATISTICS]
             for metric, numbers in row["quality"].items()
         }
-    return row | {name: value for name, value in (("etag", one.etag), ("picture", one.picture)) if value}
+    version = one.version if one.version != VERSION else None
+    more = {"etag": one.etag, "picture": one.picture, "version": version}
+    return row | {name: value for name, value in more.items() if value}
 
 
 def _rounded(number: float | None) -> float | None:
@@ -217,5 +219,6 @@ CHECKS: dict[str, Check] = {
     "features": _table_of(_plain_text, _with({"count": _whole}, _data)),
     "etag": _plain_text,
     "picture": _form("[0-9a-f]{32}"),
+    "version": _whole,
 }  # fmt: skip
 """What may be told of a remote mesh, and how it is recognised."""

@@ -17,6 +17,12 @@ BAD_CELLS: Status = {
 }
 """Filters that leave what is inverted, or nearly."""
 
+BODY: Status = {"cells": "quality", "opacity": 0.14}
+"""The cells that these filters hide, faintly."""
+
+CROWDED = 1 / 20
+"""Part of the interior edges that is irregular, from which on their wires would cover all else."""
+
 JACOBIAN: Status = {"by": "quality", "metric": "scaled_jacobian", "map": "red_blue"}
 
 
@@ -25,19 +31,21 @@ def portrait(facts: Facts) -> Status:
 
     Seen from the front, the side and above, cut in half by a plane that faces the eye; what is hidden stays as a
     faint silhouette. The plane is turned a little, so that steps show the cells; where they are too small for that,
-    it stands along an axis. A mesh of several kinds of cells is coloured by kind. Of a mesh with inverted or flat
-    cells the picture shows these and the next worst, coloured by the Scaled Jacobian.
+    it stands along an axis. Wires show the irregular edges, unless there are so many that nothing else would be seen,
+    as in meshes out of an octree. A mesh of several kinds of cells is coloured by kind. Of a mesh with inverted or
+    flat cells the picture shows these and the next worst, coloured by the Scaled Jacobian, within a faint body.
     """
     cells, found = facts.cells or 0, {finding["id"] for finding in facts.findings or ()}
     view = view_of(facts)
     status: Status = {"camera": view.camera, "separation": separation(cells), "filters": view.slice(0)}
-    if found:
+    if found or is_crowded(facts):
         status["irregular"] = {"mode": 0}
     if len(facts.kinds or ()) > 1:
         status["colour"] = {"by": "kind"}
     elif facts.sj_not_positive or "degenerate_cells" in found:
         edges = {"mode": "darkness_coded_edges"}
-        return status | {"filters": view.slice(0) | BAD_CELLS, "colour": JACOBIAN, "separation": edges}
+        filters = view.slice(0) | BAD_CELLS
+        return status | {"filters": filters, "colour": JACOBIAN, "separation": edges, "see_through": BODY}
     if worth_cutting(cells, found):
         status["filters"] = view.slice(HALF)
     return status
@@ -49,6 +57,11 @@ def view_of(facts: Facts) -> View:
         return View(facts.view["direction"], facts.view["up"], facts.view["facing"])
     low, high = facts.extent or [[-1, -1, -1], [1, 1, 1]]
     return three_quarters([b - a for a, b in zip(low, high, strict=True)], facts.cells or 0)
+
+
+def is_crowded(facts: Facts) -> bool:
+    """Whether irregular edges are so many that their wires would cover all else."""
+    return (facts.irregular_edges or 0) > CROWDED * (facts.interior_edges or 1)
 
 
 def worth_cutting(cells: int, found: set[str]) -> bool:

@@ -54,6 +54,9 @@ VERBS = {
     "validate": Verb(
         "check sources for the catalogue and measure their meshes", "site_builder.cli.validate", CLONE
     ),
+    "collect": Verb(
+        "measure and portray the remote meshes of the catalogue", "site_builder.cli.collect", CLONE
+    ),
     "new-source": Verb("start a source's folder for the catalogue", "site_builder.cli.new_source", CLONE),
 }
 """Every verb of the program; its module is imported when it is called."""

@@ -8,6 +8,7 @@
 from __future__ import annotations
 
 import base64
+import threading
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
@@ -70,10 +71,17 @@ class Portrait:
 
 
 class Renderer(Viewer):
-    """Makes one picture after the other; the native core answers the page."""
+    """Makes one picture after the other; the native core answers the page.
 
-    def __init__(self) -> None:
+    Parameters
+    ----------
+    directions : int
+        From which light is gathered; 0 for as many as the viewer takes.
+    """
+
+    def __init__(self, directions: int = 0) -> None:
         super().__init__()
+        self._directions = directions
         self._easel, self._other, self._surface = Easel(), Easel(), SurfaceEasel()
 
     def address(self, started: ExitStack) -> str:
@@ -82,7 +90,7 @@ class Renderer(Viewer):
         server = started.enter_context(Loopback(offers, opens=False, parting=PARTING))
         server.start()
         started.callback(server.shutdown)
-        return server.address
+        return server.address.replace("/#", f"/?directions={self._directions}#", 1)
 
     def render(
         self,
@@ -240,3 +248,30 @@ class Renderer(Viewer):
                 taken_down.enter_context(self._other.holding(beside))
             taken_down.callback(self.end_comparison)
             yield place
+
+
+class Bench(threading.local):
+    """A thread's own renderer: the browser is started once, and anew when it broke.
+
+    Parameters
+    ----------
+    directions : int
+        As for `Renderer`.
+    """
+
+    renderer: Renderer | None = None
+
+    def __init__(self, directions: int = 0) -> None:
+        self._directions = directions
+
+    def ready(self) -> Renderer:
+        """The renderer, started."""
+        if self.renderer is None:
+            self.renderer = Renderer(self._directions).__enter__()
+        return self.renderer
+
+    def clear(self) -> None:
+        """Close the browser."""
+        renderer, self.renderer = self.renderer, None
+        if renderer is not None:
+            renderer.__exit__(None, None, None)

@@ -22,7 +22,7 @@ from ..group_facts import group_measures
 from ..mesh import Mesh
 from ..quality import METRICS, Validity, certify, quality, statistics
 from ..status import OpenMesh
-from ..status.views import three_quarters
+from ..status.views import View, three_quarters
 from ..structure.quantities import QUANTITIES, quantity_values
 from ..summary import TOPOLOGY
 from ..surface import (
@@ -33,6 +33,7 @@ from ..surface import (
     long_axis,
     outline,
     skin,
+    upward,
 )
 from ..topology.shapes import SHAPES, shapes
 from .compared import ComparedBook
@@ -131,17 +132,26 @@ class Opened:
         `outline` ((3 n,) float32, drawing coordinates of points that a camera is fitted to).
         """
         mesh, frame = self.mesh, self.drawn_mesh.frame
-        points = skin(mesh, frame)
-        view = three_quarters((frame.high - frame.low).tolist(), mesh.cell_count, long_axis(points))
         return {
             "extent": mesh.extent.tolist(),
             "frame": [frame.low.tolist(), frame.high.tolist()],
             "centre": frame.centre.tolist(),
             "diagonal": frame.diagonal,
             "framed_cells": frame.cells,
-            "view": {part: list(vector) for part, vector in vars(view).items()},
-            "outline": outline(points).reshape(-1),
+            "view": {part: list(vector) for part, vector in vars(self.view()).items()},
+            "outline": outline(self.skin).reshape(-1),
         }
+
+    @cached_property
+    def skin(self) -> Floats:
+        """(3, n) float64 drawing coordinates of the boundary's vertices, or of some of them."""
+        return skin(self.mesh, self.drawn_mesh.frame)
+
+    def view(self, up: str = "") -> View:
+        """Return where the mesh is looked at from; the axis that points up is guessed where none is given."""
+        frame, points = self.drawn_mesh.frame, self.skin
+        sides = (frame.high - frame.low).tolist()
+        return three_quarters(sides, self.mesh.cell_count, long_axis(points), up or upward(points))
 
     @cached_property
     def shapes(self) -> NDArray[np.uint8]:

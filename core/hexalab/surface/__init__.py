@@ -12,7 +12,7 @@ from .dual import dual_surface, walls
 from .exploded import ExplodedMesh, Pieces
 from .feature_edges import BoundaryEdges, boundary_edge_angles, sharp_edges
 from .fissure import fissure
-from .frame import Frame, long_axis, outline, skin
+from .frame import Frame, long_axis, outline, skin, upward
 from .irregular import extract_irregular
 from .lines import interface_quads, lines
 from .records import NO_SILHOUETTE, Arrows, Irregular, Silhouette, Surface
@@ -45,6 +45,7 @@ __all__ = [
     "outline",
     "sharp_edges",
     "skin",
+    "upward",
     "walls",
 ]
 

@@ -28,6 +28,10 @@ SLENDER = 4
 BINS = 12
 """Directions from the centre are told apart by so many steps along each side of a cube around it."""
 
+SLAB, FEW, FOOT, ELSEWHERE = 0.02, 0.01, 3.2, 1.5
+"""Part of a body's longest side that is an end; of its points that even a bare end may hold; how many times more a foot
+holds than the opposite end; and than the end where z begins, if the foot isn't there."""
+
 
 @dataclass(frozen=True)
 class Frame:
@@ -137,3 +141,33 @@ def long_axis(points: Floats) -> Floats | None:
     aside = points - points.mean(axis=1)[:, None]
     spread, axes = np.linalg.eigh([[float((a * b).sum()) for b in aside] for a in aside])
     return np.asarray(axes[:, 2]) if spread[2] > SLENDER**2 * spread[1] else None
+
+
+def upward(points: Floats) -> str:
+    """The axis along which a body stands, as far as its points tell: "z" unless it has a foot elsewhere.
+
+    A foot is an end of the body, `SLAB` of its longest side thick, that holds a good share of the points, and much more
+    than the opposite end does. Most machine parts have none, since both of their ends are flat: of these z points up.
+
+    Parameters
+    ----------
+    points : (3, n) float64
+        Of the boundary.
+
+    Returns
+    -------
+    str
+        "z", "y", "x", "-z", "-y" or "-x".
+    """
+    if not points.shape[1]:
+        return "z"
+    low, high = points.min(axis=1), points.max(axis=1)
+    slab = SLAB * float((high - low).max())
+    feet = {}
+    for name, at in (("z", 2), ("y", 1), ("x", 0)):
+        ends = [float(np.mean(points[at] <= low[at] + slab)), float(np.mean(points[at] >= high[at] - slab))]
+        feet[name] = ends[0] if ends[0] > FOOT * max(ends[1], FEW) else 0.0
+        feet[f"-{name}"] = ends[1] if ends[1] > FOOT * max(ends[0], FEW) else 0.0
+    found = max(feet, key=lambda name: feet[name])  # of equal ones the first
+    standing = float(np.mean(points[2] <= low[2] + slab))
+    return found if feet[found] > ELSEWHERE * standing else "z"

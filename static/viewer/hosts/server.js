@@ -10,6 +10,7 @@ const TOKEN = "hexalab.token";
 export function server() {
   const offers = new Offers();
   const address = new URL(".", document.baseURI).href;
+  const directions = Number(new URLSearchParams(location.search).get("directions")) || undefined;
   let token = tokenOf(location);
   const transport = new ServerTransport(address, token, {
     hello: (hello) => {
@@ -29,6 +30,7 @@ export function server() {
     shares: false,
     steps: true,
     embedded: false,
+    directions,
     addressed: "",
     beside: "",
     client: new CoreClient(transport),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import threading
 from pathlib import Path
 from typing import Any
 from zipfile import BadZipFile
@@ -11,29 +10,10 @@ from ... import __version__
 from ...errors import HexaLabError
 from ..headless import RenderError
 from ..labour import Craft
-from ..rendering import Renderer
+from ..rendering import Bench
 from .jobs import Job
 from .records import Outcome, failed, keep
 from .sources import Source
-
-
-class Bench(threading.local):
-    """A thread's own renderer: the browser is started once, and anew when it broke."""
-
-    renderer: Renderer | None = None
-
-    def ready(self) -> Renderer:
-        """The renderer, started."""
-        if self.renderer is None:
-            self.renderer = Renderer().__enter__()
-        return self.renderer
-
-    def clear(self) -> None:
-        """Close the browser."""
-        renderer, self.renderer = self.renderer, None
-        if renderer is not None:
-            renderer.__exit__(None, None, None)
-
 
 BENCH = Bench()
 
