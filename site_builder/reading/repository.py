@@ -106,7 +106,7 @@ def read_source(folder: Path, problems: list[Problem], root: Path | None = None)
         message = f"{key!r} is no url of a mesh in source.yaml"
         problems.append(Problem("error", _shown(folder / FACTS_FILE, root), 0, "meshes", message))
     _check_slugs(source, document, problems, root)
-    for path, message in _lost_originals(source):
+    for path, message in _link_copies(source):
         problems.append(_problem("error", document, path, message, root))
     for path, message in _doubts(source):
         problems.append(_problem("warning", document, path, message, root))
@@ -237,8 +237,11 @@ def _published_facts(folder: Path, problems: list[Problem], root: Path) -> dict[
         return {}
 
 
-def _lost_originals(source: Source) -> Iterator[tuple[FieldPath, str]]:
-    """Rows that are the same as a row that isn't above them, or is itself the same as another."""
+def _link_copies(source: Source) -> Iterator[tuple[FieldPath, str]]:
+    """Give a file in another format what its original has; what is wrong with such rows.
+
+    The original stands above it, and is no such row itself.
+    """
     originals: dict[str, MeshEntry] = {}
     for index, mesh in enumerate(source.meshes):
         if not mesh.same_as:
@@ -247,7 +250,9 @@ def _lost_originals(source: Source) -> Iterator[tuple[FieldPath, str]]:
         original = originals.get(mesh.same_as)
         if original is None:
             yield ("meshes", index, "same_as"), f"no row above it has the slug {mesh.same_as!r}"
-        elif None not in (mesh.cells, original.cells) and mesh.cells != original.cells:
+            continue
+        mesh.up = mesh.up or original.up
+        if None not in (mesh.cells, original.cells) and mesh.cells != original.cells:
             message = f"{mesh.cells:,} cells, but {original.slug!r} has {original.cells:,}"
             yield ("meshes", index, "same_as"), message
 
