@@ -221,7 +221,7 @@ def _add_meshes(
 def _add_pictures(catalogue: Catalogue, output: Output, thumbnails: Thumbnails) -> set[str]:
     pictures = set()
     for mesh in catalogue.meshes:
-        picture = thumbnails.thumbnail(mesh)
+        picture = mesh.picture if mesh.remote else thumbnails.thumbnail(mesh)
         if picture:
             output.copy(mesh.picture_address, picture)
             pictures.add(mesh.picture_address)

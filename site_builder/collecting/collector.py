@@ -108,42 +108,38 @@ class Collector:
         do : callable
         tell : callable
         """
-        jobs = [job for job in self._at_hand(tell) if job]
+        jobs = list(self._at_hand(tell))
         with closing(do(jobs)) as outcomes:
             for number, outcome in enumerate(outcomes, 1):
                 self._take(outcome)
                 tell(outcome["id"], 0.3 + 0.7 * number / len(jobs))
         return self.report
 
-    def _at_hand(self, tell: Tell) -> Generator[CollectJob | None]:
-        """The jobs of the meshes that are due and whose files can be had."""
+    def _at_hand(self, tell: Tell) -> Generator[CollectJob]:
+        """The jobs of the meshes that are due and whose files can be had, unless these are what was measured before."""
         with ThreadPoolExecutor(SIDE_BY_SIDE) as threads:
             try:
-                for number, job in enumerate(threads.map(self._obtain, self._due)):
-                    yield job
-                    tell(f"fetching, {number + 1} of {len(self._due)}", 0.3 * (number + 1) / len(self._due))
+                found = threads.map(self._obtain, self._due)
+                for number, (mesh, file) in enumerate(zip(self._due, found, strict=True), 1):
+                    if file and not (not self._again and is_done(mesh) and self._is_the_same(mesh, file)):
+                        yield job_of(mesh, str(file.resolve()))
+                    tell(f"fetching, {number} of {len(self._due)}", 0.3 * number / len(self._due))
             except BaseException:
-                threads.shutdown(wait=False, cancel_futures=True)
+                if isinstance(self._files, Fetcher):
+                    self._files.stop()
+                threads.shutdown(cancel_futures=True)
                 raise
 
-    def _obtain(self, mesh: MeshEntry) -> CollectJob | None:
-        """The job of a mesh; None if its file can't be had, or is the one that was measured before."""
-        file = self._copy(mesh) if isinstance(self._files, Mirror) else self._fetched(self._files, mesh)
-        if file is None or (not self._again and is_done(mesh) and self._is_the_same(mesh, file)):
-            return None
-        return job_of(mesh, str(file.resolve()))
-
-    def _copy(self, mesh: MeshEntry) -> Path | None:
-        assert isinstance(self._files, Mirror)
-        file = self._files.find(mesh.remote)
-        if file is None:
-            self.report.absent.append(mesh.id)
-        return file
-
-    def _fetched(self, fetcher: Fetcher, mesh: MeshEntry) -> Path | None:
+    def _obtain(self, mesh: MeshEntry) -> Path | None:
+        """The file of a mesh; None, and a line in the report, if it can't be had or its server says it's the same."""
+        if isinstance(self._files, Mirror):
+            copy = self._files.find(mesh.remote)
+            if copy is None:
+                self.report.absent.append(mesh.id)
+            return copy
         kept = mesh.collected if is_done(mesh) and not self._again else None
         try:
-            fetched = fetcher.fetch(mesh.remote, kept.etag if kept else "")
+            fetched = self._files.fetch(mesh.remote, kept.etag if kept else "")
         except FetchError as error:
             self.report.failed[mesh.id] = str(error)
             return None

@@ -15,7 +15,7 @@ from ..measuring.measurer import Measurer
 from ..model.catalogue import Catalogue, MeshEntry, Problem, Source
 from ..model.names import ending
 from ..model.problems import disagreements, problem_of
-from ..model.published import FACTS_FILE
+from ..model.published import FACTS_FILE, PICTURES
 from ..pages.words import count, file_size, number, structure_word, verdict
 from ..reading.repository import LARGEST_FILE, read_repository, read_source
 
@@ -91,12 +91,17 @@ def validate(directory: Path, cache: Path | None = None) -> ValidationReport:
         place = cache or Path(temporary)
         for source in catalogue.sources:
             report.problems += _folder_problems(
-                source.folder, [mesh.path for mesh in source.meshes], catalogue.root
+                source.folder, [*map(listed_path, source.meshes)], catalogue.root
             )
             _measure_all(source.meshes, Measurer(place), place, catalogue.root, report)
             report.problems += _repeated_files(source.meshes)
     report.problems.sort(key=lambda problem: (problem.file, problem.line, problem.field))
     return report
+
+
+def listed_path(mesh: MeshEntry) -> str:
+    """The file in its source's folder that a row stands for: a mesh, or the picture of a remote one."""
+    return f"{PICTURES}/{mesh.slug}.webp" if mesh.remote else mesh.path
 
 
 def _doi_taken(source: Source) -> list[Problem]:

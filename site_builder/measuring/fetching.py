@@ -32,6 +32,8 @@ PAUSE = 0.25
 PATIENCE = 60.0
 """Seconds without a byte after which a connection is given up."""
 
+WHO = {"User-Agent": f"hexalab/{__version__}", "Accept-Encoding": "identity"}
+
 SHARE = 2**20
 
 
@@ -70,10 +72,10 @@ class Fetcher:
     def __init__(self, folder: Path, largest: int = LARGEST, growth: float = GROWTH) -> None:
         self._folder, self._largest, self._growth = folder, largest, growth
         self._pool = urllib3.PoolManager(
-            headers={"User-Agent": f"hexalab/{__version__}", "Accept-Encoding": "identity"},
             timeout=urllib3.Timeout(connect=PATIENCE, read=PATIENCE),
             retries=False,
         )
+        self._stopped = threading.Event()
         self._turns = threading.Lock()
         self._asked: dict[str, float] = {}
 
@@ -96,12 +98,16 @@ class Fetcher:
             except _BusyError as busy:
                 if number == TRIES:
                     raise FetchError(f"{address}: {busy}, {TRIES} times") from None
-                time.sleep(min(max(self._growth * 2 ** (number - 1), busy.wait), LONGEST))
+                self._pause(min(max(self._growth * 2 ** (number - 1), busy.wait), LONGEST))
         raise AssertionError("unreachable")
 
     def forget(self, address: str) -> None:
         """Have a file fetched again next time."""
         self._place(address).unlink(missing_ok=True)
+
+    def stop(self) -> None:
+        """Leave off, whatever is under way: it goes on from there next time."""
+        self._stopped.set()
 
     def _place(self, address: str) -> Path:
         name = unquote(urlsplit(address).path).rsplit("/", 1)[-1] or "mesh"
@@ -111,7 +117,7 @@ class Fetcher:
         half = place.with_name(f"{place.name}.half")
         known = half.stat().st_size if half.is_file() else 0
         version = _note(half).get("etag", "")
-        headers = {"If-None-Match": etag} if etag else {}
+        headers = WHO | ({"If-None-Match": etag} if etag else {})
         if known and version and not version.startswith("W/"):  # of another version the rest would not fit
             headers |= {"Range": f"bytes={known}-", "If-Range": version}
         self._wait_for_turn(urlsplit(address).hostname or "")
@@ -150,11 +156,15 @@ class Fetcher:
         half.parent.mkdir(parents=True, exist_ok=True)
         _write_note(half, etag)
         with half.open("ab" if answer.status == 206 else "wb") as out:
-            for share in answer.stream(SHARE):
+            began, length = out.tell(), answer.headers.get("Content-Length", "")
+            while share := answer.read1(SHARE):  # what has come is written down before more is waited for
+                self._pause(0.0)
                 out.write(share)
                 if out.tell() > self._largest:
                     half.unlink()
                     raise FetchError(f"{address}: more than {self._largest:,} bytes")
+            if length.isdigit() and out.tell() - began != int(length):
+                raise _BusyError("the connection broke")
         half.replace(place)
         _write_note(place, etag)
         return Fetched(place, etag)
@@ -163,9 +173,13 @@ class Fetcher:
         """Requests to a server keep a distance, whoever makes them."""
         with self._turns:
             now = time.monotonic()
-            turn = max(now, self._asked.get(host, now) + PAUSE) if host in self._asked else now
+            turn = max(now, self._asked.get(host, now - PAUSE) + PAUSE)
             self._asked[host] = turn
-        time.sleep(max(0.0, turn - now))
+        self._pause(turn - now)
+
+    def _pause(self, seconds: float) -> None:
+        if self._stopped.wait(max(0.0, seconds)):
+            raise FetchError("stopped")
 
 
 class _BusyError(Exception):

@@ -22,6 +22,7 @@ def triggers(workflow):
 
 
 WRITES = {
+    "collect.propose": {"contents", "pull-requests"},
     "pages.deploy": {"pages", "id-token"},
     "release.publish": {"id-token"},
     "release.attach": {"contents"},
@@ -61,6 +62,16 @@ def test_C6_contributions_run_on_pull_request_alone():
     assert "repository/**" in triggers(workflow)["pull_request"]["paths"]
     (upload,) = [step for step in steps(workflow) if "upload-artifact" in step.get("uses", "")]
     assert "build/site" in upload["with"]["path"].split(), "the pages come with their styles"
+
+
+def test_C8_what_was_collected_is_proposed_and_nothing_else():
+    workflow = yaml.safe_load((FOLDER / "collect.yml").read_text("utf-8"))
+    assert set(triggers(workflow)) == {"schedule", "workflow_dispatch"}
+    collect, propose = workflow["jobs"]["collect"], workflow["jobs"]["propose"]
+    assert any("hexalab collect --check" in step.get("run", "") for step in collect["steps"])
+    assert propose["needs"] == "collect"
+    (proposal,) = [step for step in propose["steps"] if "create-pull-request" in step["uses"]]
+    assert proposal["with"]["add-paths"] == "repository"
 
 
 def test_C6_the_site_is_built_for_the_address_where_it_will_be():
