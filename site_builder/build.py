@@ -12,6 +12,7 @@ from urllib.parse import unquote
 from hexalab import HexaLabError
 
 from .citing.exports import bibtex, csl_json, ris
+from .kept import prune
 from .measuring.making import MakingError, make
 from .measuring.measurer import Measurer
 from .model.catalogue import Catalogue, Problem
@@ -129,7 +130,7 @@ def build(
     BuildError
         Something in the repository is wrong.
     """
-    began = time.perf_counter()
+    began, since = time.perf_counter(), time.time()
     tell = progress or (lambda what, part: None)
     cache = cache or out.parent / "cache"
     tell("reading the repository", 0.0)
@@ -170,6 +171,7 @@ def build(
         _add_manifest(catalogue, output, collection, figures)
         _add_service_worker(catalogue, output)
     output.clean()
+    prune(cache, since)
     tell("done", 1.0)
     return BuildReport(
         pages=len(addresses),

@@ -10,6 +10,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from ..kept import is_kept
 from ..model.catalogue import MeshEntry
 
 
@@ -36,7 +37,7 @@ def make(mesh: MeshEntry, root: Path, cache: Path) -> Path:
     """
     script = mesh.source.folder / "make.py"
     kept = cache / "made" / _fingerprint(script, root) / mesh.path
-    if not kept.exists():
+    if not is_kept(kept):
         data = _run(script, _files(script, root, mesh))
         kept.parent.mkdir(parents=True, exist_ok=True)
         kept.write_bytes(data)

@@ -21,6 +21,7 @@ from hexalab.status.views import View
 from hexalab.structure import Structure, facts_of
 from hexalab.summary import summarise
 
+from ..kept import is_kept
 from ..model.facts import Binned, Facts, Looked, Validity
 
 BINS = 60
@@ -51,7 +52,7 @@ class Measurer:
         """
         data = file.read_bytes()
         kept = self._kept(hashlib.sha256(data).hexdigest()[:32], "facts.json")
-        if kept.exists():
+        if is_kept(kept):
             return Facts.from_dict(json.loads(kept.read_text("utf-8")))
         facts = measure(data, file.name)
         kept.parent.mkdir(parents=True, exist_ok=True)
@@ -63,7 +64,7 @@ class Measurer:
         """What the viewer draws of a mesh before Python has started, under a partial status."""
         shown = hashlib.sha256(json.dumps(status, sort_keys=True).encode()).hexdigest()[:8]
         kept = self._kept(f"{str(facts.sha256)[:32]}-{shown}", "preview")
-        if not kept.exists():
+        if not is_kept(kept):
             session = Session()
             session.open(file.name, file.read_bytes())
             kept.parent.mkdir(parents=True, exist_ok=True)
@@ -107,7 +108,7 @@ def measure(data: bytes, name: str, up: str = "") -> Facts:
 
 def looked(view: View) -> Looked:
     """A view as facts keep it."""
-    return {"direction": view.direction, "up": view.up, "facing": view.facing}
+    return {"direction": [*view.direction], "up": [*view.up], "facing": [*view.facing]}
 
 
 def _valences(key: str, value: Any) -> Any:

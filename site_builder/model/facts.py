@@ -52,9 +52,9 @@ class Finding(TypedDict):
 class Looked(TypedDict):
     """Where a mesh is looked at from, and the normal of a plane that faces the eye (`hexalab.status.views.View`)."""
 
-    direction: tuple[float, float, float]
-    up: tuple[float, float, float]
-    facing: tuple[float, float, float]
+    direction: list[float]
+    up: list[float]
+    facing: list[float]
 
 
 class Validity(TypedDict):

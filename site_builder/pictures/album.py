@@ -5,6 +5,7 @@ from __future__ import annotations
 import struct
 from pathlib import Path
 
+from ..kept import is_kept
 from .shot import Shot
 
 
@@ -23,7 +24,7 @@ class Album:
     def picture(self, shot: Shot) -> Path | None:
         """The PNG of a shot, or None if it hasn't been taken."""
         place = self._folder / f"{shot.key}.png"
-        return place if shot.key and place.is_file() else None
+        return place if shot.key and is_kept(place) else None
 
     def keep(self, shot: Shot, png: bytes) -> None:
         """Store the picture of a shot."""

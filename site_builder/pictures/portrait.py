@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from hexalab.status.views import View, three_quarters
+from hexalab.status.views import Vector, View, three_quarters
 
 from ..model.facts import Facts
 from .shot import Status
@@ -54,7 +54,9 @@ def portrait(facts: Facts) -> Status:
 def view_of(facts: Facts) -> View:
     """Where a mesh is looked at from: as it was measured, or as its extent asks for."""
     if facts.view:
-        return View(facts.view["direction"], facts.view["up"], facts.view["facing"])
+        return View(
+            *(_vector(part) for part in (facts.view["direction"], facts.view["up"], facts.view["facing"]))
+        )
     low, high = facts.extent or [[-1, -1, -1], [1, 1, 1]]
     return three_quarters([b - a for a, b in zip(low, high, strict=True)], facts.cells or 0)
 
@@ -77,3 +79,8 @@ def separation(cells: int) -> Status:
     if cells <= MANY:
         return {"mode": "darkness_coded_edges"}
     return {"mode": "lines", "line_opacity": 0.2 if cells < 500_000 else 0.12}
+
+
+def _vector(parts: list[float]) -> Vector:
+    x, y, z = parts
+    return x, y, z
