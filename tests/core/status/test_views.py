@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from hexalab.status import DEFAULTS, check
-from hexalab.status.views import MANY, three_quarters
+from hexalab.status.views import MANY, UPRIGHT, three_quarters
 
 side = st.floats(0.01, 100)
 
@@ -41,3 +41,19 @@ def test_S1_camera_and_slice_are_parts_of_a_status():
     view = three_quarters([1, 2, 3])
     assert check({"camera": view.camera, "filters": view.slice(0.5)})[1] == []
     assert DEFAULTS["camera"]["fit"] is True
+
+
+@pytest.mark.parametrize("up", UPRIGHT)
+def test_C8_a_body_that_stands_otherwise_is_seen_as_if_it_were_turned_upright(up):
+    turn = np.zeros((3, 3))
+    for row, (axis, sign) in enumerate(UPRIGHT[up]):
+        turn[row, axis] = sign
+    assert np.linalg.det(turn) == 1  # turned, not mirrored
+    sides, along = np.array([4.0, 2.0, 3.0]), np.array([0.6, 0.0, 0.8])
+    view = three_quarters(sides, long_axis=along, up=up)
+    upright = three_quarters(np.abs(turn @ sides), long_axis=turn @ along)
+    for part in ("direction", "up", "facing"):
+        assert turn @ getattr(view, part) == pytest.approx(getattr(upright, part))
+    axis = np.zeros(3)
+    axis["xyz".index(up[-1])] = -1 if up.startswith("-") else 1
+    assert view.up == tuple(axis)

@@ -7,11 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from hexalab import Mesh
+from hexalab import Mesh, read
 from hexalab.session import Session
-from hexalab.surface import DrawnMesh, long_axis, outline, skin
+from hexalab.surface import DrawnMesh, long_axis, outline, skin, upward
 from hexalab.surface.frame import STRAY
 
+from ... import published
 from .shapes import grid
 
 
@@ -124,3 +125,43 @@ def test_V6_no_corner_of_a_large_mesh_stands_out_of_its_outline() -> None:
     )
     for corner in corners:
         assert np.abs(points - corner).max(axis=1).min() < 1e-6
+
+
+def standing(up: int, sign: int) -> np.ndarray:
+    """Points of a statue on a flat foot."""
+    random = np.random.default_rng(up)
+    foot = np.vstack([random.uniform(-0.3, 0.3, (2, 200)), np.zeros(200)])
+    angle, height = random.uniform(0, 2 * np.pi, 1000), random.uniform(0, 1, 1000)
+    body = np.vstack([0.2 * np.cos(angle) * (1 - height), 0.2 * np.sin(angle) * (1 - height), height])
+    points = np.hstack([foot, body])
+    return np.roll(sign * points, up - 2, axis=0)
+
+
+@pytest.mark.parametrize(("up", "axis", "sign"), [
+    ("z", 2, 1), ("-z", 2, -1), ("y", 1, 1), ("-y", 1, -1), ("x", 0, 1), ("-x", 0, -1),
+])  # fmt: skip
+def test_C8_a_body_stands_on_its_foot(up, axis, sign):
+    assert upward(standing(axis, sign)) == up
+
+
+def test_C8_what_has_no_foot_stands_along_z():
+    box = skin(grid(9, 5, 3), DrawnMesh(grid(9, 5, 3)).frame)
+    ball = np.random.default_rng(1).normal(size=(3, 5000))
+    for points in (box, ball / np.linalg.norm(ball, axis=0), np.zeros((3, 1)), np.zeros((3, 0))):
+        assert upward(points) == "z"
+
+
+@pytest.mark.parametrize(
+    ("name", "up"),
+    [
+        ("2014-l1-based-construction--fertility-hex.vtk", "y"),
+        ("2014-l1-based-construction--gargoyle-hex.mesh", "z"),
+        ("2015-practical-hex-mesh--armadillo-stresstest-out.mesh", "y"),
+        ("2016-efficient-volumetric-polycube--Fertility-hex-small.mesh", "y"),
+        ("2016-all-hex-meshing--nut-hex.mesh", "z"),
+        ("2019-singularity-structure-simplification--buste-buste-input.mesh", "x"),
+    ],
+)
+def test_C8_published_bodies_stand_upright(name, up):
+    mesh = read(published.file_of(name))
+    assert upward(skin(mesh, DrawnMesh(mesh).frame)) == up

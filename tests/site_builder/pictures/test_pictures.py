@@ -49,6 +49,20 @@ def test_C2_small_meshes_have_round_cells_and_large_ones_lines():
     assert modes == ["rounded", "darkness_coded_edges", "lines"]
 
 
+def test_C8_wires_are_left_out_where_they_would_cover_all_else():
+    few, many = ({"4": 95 + more, "3": 5 - more} for more in (0, -1))
+    modes = [
+        portrait(Facts.from_dict({"cells": 100, "interior_edge_valence": valence})).get("irregular")
+        for valence in (few, many)
+    ]
+    assert modes == [None, {"mode": 0}]
+
+
+def test_C8_faults_are_seen_within_their_body():
+    status = portrait(Facts(cells=100, sj_not_positive=3))
+    assert status["see_through"]["cells"] == "quality" and 0 < status["see_through"]["opacity"] < 0.3
+
+
 @pytest.fixture
 def own(demo, tmp_path):
     """The demo's repository, measured, and the folder of its cache."""
