@@ -11,8 +11,8 @@ from hexalab import Mesh, read
 from hexalab.session import Session
 from hexalab.surface import DrawnMesh, long_axis, outline, skin, upward
 from hexalab.surface.frame import STRAY
+from tests import published
 
-from ... import published
 from .shapes import grid
 
 
