@@ -85,6 +85,8 @@ class MeshEntry:
         The axis that points up, as "y" or "-z"; "" to have it guessed.
     same_as : str
         Slug of another of the source's meshes that this file holds too, in another format; "" for none.
+    method : str
+        Id of the family of methods that made it (`methods.METHODS`), "" if it is not said.
     collected, picture : Collected or None, Path or None
         Of a remote mesh, what was measured of it before, and the picture that was taken.
     line, lines : int, dict of str to int
@@ -105,6 +107,7 @@ class MeshEntry:
     facts: Facts = field(default_factory=Facts)
     up: str = ""
     same_as: str = ""
+    method: str = ""
     collected: Collected | None = None
     picture: Path | None = None
     line: int = 0
@@ -164,6 +167,8 @@ class Source:
     ----------
     reference : Reference
         With `id`, `title`, `author` and `issued` at least.
+    method : str
+        Id of the family of methods that made its meshes (`methods.METHODS`), "" if it is not said.
     index_path : str
         Its folder in the original HexaLab's index, "" if it has none.
     """
@@ -172,6 +177,7 @@ class Source:
     folder: Path
     reference: Reference
     licence: str
+    method: str = ""
     licence_note: str = ""
     description: str = ""
     arxiv: str = ""
