@@ -29,6 +29,7 @@ from .pictures.collection import Collection
 from .pictures.portrait import portrait
 from .pictures.thumbnails import Thumbnails
 from .reading.gallery import read_gallery
+from .reading.models import read_models
 from .reading.repository import read_repository
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -135,6 +136,7 @@ def build(
     tell("reading the repository", 0.0)
     catalogue = read_repository(repository)
     sections = read_gallery(catalogue)
+    read_models(catalogue)
     catalogue.address = os.environ.get(ADDRESS_VARIABLE) or catalogue.address or "http://localhost:8000/"
     _address_collections(catalogue)
     measurer = Measurer(cache)

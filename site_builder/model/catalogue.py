@@ -8,6 +8,7 @@ from typing import NotRequired, TypedDict
 from urllib.parse import quote
 
 from .facts import Facts
+from .models import Model
 from .names import doi_address, ending
 from .published import Collected
 
@@ -87,6 +88,10 @@ class MeshEntry:
         Slug of another of the source's meshes that this file holds too, in another format; "" for none.
     method : str
         Id of the family of methods that made it (`methods.METHODS`), "" if it is not said.
+    domain : str
+        What it fills, if not the body of its model (`domains.DOMAINS`).
+    model, own_model : str, str or None
+        Id of the body that it is a mesh of, "" for none; and what its row says of that, None for nothing.
     collected, picture : Collected or None, Path or None
         Of a remote mesh, what was measured of it before, and the picture that was taken.
     line, lines : int, dict of str to int
@@ -108,6 +113,9 @@ class MeshEntry:
     up: str = ""
     same_as: str = ""
     method: str = ""
+    domain: str = ""
+    model: str = ""
+    own_model: str | None = None
     collected: Collected | None = None
     picture: Path | None = None
     line: int = 0
@@ -274,6 +282,7 @@ class Catalogue:
     publisher: str = ""
     first: list[str] = field(default_factory=list)
     sources: list[Source] = field(default_factory=list)
+    models: list[Model] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)
 
     @property

@@ -169,6 +169,8 @@ def _mesh(source: Source, row: Mapping[str, Any], whole: Mapping[str, Any]) -> M
         up=row.get("up", whole.get("up", "")),
         same_as=row.get("same_as", ""),
         method=row.get("method", source.method),
+        domain=row.get("domain", whole.get("domain", "")),
+        own_model=row.get("model"),
         picture=picture if kind == "url" and picture.is_file() else None,
     )
 
