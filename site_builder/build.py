@@ -20,7 +20,9 @@ from .model.problems import disagreements, problem_of
 from .output import Output
 from .pages import indexes, interface
 from .pages.assets import assets
+from .pages.bodies import bodies
 from .pages.library import library_json
+from .pages.model_csv import model_csv
 from .pages.pages import Pages
 from .pages.viewer_page import viewer_page
 from .pages.words import file_size
@@ -166,6 +168,8 @@ def build(
         addresses.append(page)
         if number % 50 == 0:
             tell(f"page {page or 'index.html'}", 0.9 + 0.1 * number / (len(catalogue.meshes) + 40))
+    for body in bodies(catalogue).values():
+        output.write(body.model.table, model_csv(body, catalogue.address))
     listed = [page for page in addresses if not page.startswith(("offline/", "embed/"))]
     _add_indexes(catalogue, output, listed, shown)
     if runtime:

@@ -232,9 +232,13 @@ class Source:
         authors = self.reference["author"]
         if "literal" in authors[0]:
             return self.title.split(":")[0]
-        names = [author.get("family") or author["literal"] for author in authors]
-        who = f"{names[0]} et al." if len(names) > 2 else " and ".join(names)
-        return f"{who} {self.year}"
+        return f"{self.short_authors} {self.year}"
+
+    @property
+    def short_authors(self) -> str:
+        """Who: "Livesu et al."; the name of a group."""
+        names = [author.get("family") or author["literal"] for author in self.reference["author"]]
+        return f"{names[0]} et al." if len(names) > 2 else " and ".join(names)
 
     @property
     def label(self) -> str:
@@ -259,6 +263,11 @@ class Source:
     def own(self) -> bool:
         """Whether it is a collection that is published nowhere else: what a paper or a DOI stands for is not."""
         return self.reference["type"] == "dataset" and not self.doi and not self.arxiv
+
+    @property
+    def listed(self) -> list[MeshEntry]:
+        """Its meshes without those that are another one in another format."""
+        return [mesh for mesh in self.meshes if not mesh.same_as]
 
     @property
     def elsewhere(self) -> bool:
@@ -289,6 +298,11 @@ class Catalogue:
     def meshes(self) -> list[MeshEntry]:
         """Of all sources, in order."""
         return [mesh for source in self.sources for mesh in source.meshes]
+
+    @property
+    def listed(self) -> list[MeshEntry]:
+        """Of all sources, without those that are another one in another format."""
+        return [mesh for mesh in self.meshes if not mesh.same_as]
 
     @property
     def errors(self) -> list[Problem]:

@@ -1,5 +1,6 @@
 """How meshes of one body are recognised, and which the repository's are."""
 
+from collections import Counter
 from pathlib import Path
 
 import pytest
