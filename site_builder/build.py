@@ -21,7 +21,9 @@ from .model.problems import disagreements, problem_of
 from .output import Output
 from .pages import indexes, interface
 from .pages.assets import assets
+from .pages.bodies import bodies
 from .pages.library import library_json
+from .pages.model_csv import model_csv
 from .pages.pages import Pages
 from .pages.viewer_page import viewer_page
 from .pages.words import file_size
@@ -30,6 +32,7 @@ from .pictures.collection import Collection
 from .pictures.portrait import portrait
 from .pictures.thumbnails import Thumbnails
 from .reading.gallery import read_gallery
+from .reading.models import read_models
 from .reading.repository import read_repository
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -136,6 +139,7 @@ def build(
     tell("reading the repository", 0.0)
     catalogue = read_repository(repository)
     sections = read_gallery(catalogue)
+    read_models(catalogue)
     catalogue.address = os.environ.get(ADDRESS_VARIABLE) or catalogue.address or "http://localhost:8000/"
     _address_collections(catalogue)
     measurer = Measurer(cache)
@@ -165,6 +169,8 @@ def build(
         addresses.append(page)
         if number % 50 == 0:
             tell(f"page {page or 'index.html'}", 0.9 + 0.1 * number / (len(catalogue.meshes) + 40))
+    for body in bodies(catalogue).values():
+        output.write(body.model.table, model_csv(body, catalogue.address))
     listed = [page for page in addresses if not page.startswith(("offline/", "embed/"))]
     _add_indexes(catalogue, output, listed, shown)
     if runtime:

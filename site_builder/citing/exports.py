@@ -61,17 +61,17 @@ def _bibtex_entry(item: Reference) -> str:
     year, *month = item["issued"]["date-parts"][0]
     arxiv = str(item.get("number", "")).removeprefix("arXiv:") if item.get("publisher") == "arXiv" else ""
     fields = {
-        "title": "{" + _tex(item["title"]) + "}",
+        "title": "{" + tex(item["title"]) + "}",
         "author": " and ".join(_bibtex_name(author) for author in item["author"]),
-        _BIBTEX_CONTAINER.get(kind, "note"): _tex(item.get("container-title", "")),
-        "series": _tex(item.get("collection-title", "")),
-        "publisher" if arxiv else _BIBTEX_PUBLISHER.get(kind, "publisher"): _tex(item.get("publisher", "")),
-        "volume": _tex(item.get("volume", "")),
-        "number": _tex(
+        _BIBTEX_CONTAINER.get(kind, "note"): tex(item.get("container-title", "")),
+        "series": tex(item.get("collection-title", "")),
+        "publisher" if arxiv else _BIBTEX_PUBLISHER.get(kind, "publisher"): tex(item.get("publisher", "")),
+        "volume": tex(item.get("volume", "")),
+        "number": tex(
             item.get("issue", "") or ("" if kind in ("article", "misc") else item.get("number", ""))
         ),
-        "articleno": _tex(item.get("number", "")) if kind == "article" else "",
-        "pages": re.sub(r"[-–]+", "--", _tex(item.get("page", ""))),
+        "articleno": tex(item.get("number", "")) if kind == "article" else "",
+        "pages": re.sub(r"[-–]+", "--", tex(item.get("page", ""))),
         "year": str(year),
         "month": str(month[0]) if month else "",
         "eprint": arxiv,
@@ -85,12 +85,12 @@ def _bibtex_entry(item: Reference) -> str:
 
 def _bibtex_name(author: Author) -> str:
     if "literal" in author:
-        return "{" + _tex(author["literal"]) + "}"
+        return "{" + tex(author["literal"]) + "}"
     parts = [author["family"], author.get("given", "")]
-    return ", ".join(_tex(part) for part in parts if part)
+    return ", ".join(tex(part) for part in parts if part)
 
 
-def _tex(text: Any) -> str:
+def tex(text: Any) -> str:
     """Text in which TeX's special characters are escaped, on one line."""
     return "".join(_tex_letter(letter) for letter in " ".join(str(text).split()))
 

@@ -10,6 +10,7 @@ from typing import Any
 
 from ..citing.bibtex import csl_reference, read_bibtex
 from ..model.catalogue import Author
+from ..model.methods import METHODS
 from ..model.names import ending, normal_doi, slug
 
 Ask = Callable[[str], str]
@@ -59,7 +60,7 @@ def new_source(
     rows = _mesh_rows(meshes) if meshes else []
     folder.mkdir(parents=True)
     file = folder / "source.yaml"
-    file.write_text(_yaml(reference, _licence(ask), rows), "utf-8")
+    file.write_text(_yaml(reference, _method(reference, ask), _licence(ask), rows), "utf-8")
     return file
 
 
@@ -118,11 +119,18 @@ def _licence(ask: Ask | None) -> str:
     return answer.strip() or "authors"
 
 
+def _method(reference: dict[str, Any], ask: Ask | None) -> str | None:
+    """The family of methods, "" where it has to be filled in; None for a collection, which has none."""
+    if reference["type"] == "dataset":
+        return None
+    return ask(f"Method of the paper: {', '.join(METHODS)}").strip() if ask else ""
+
+
 def _mesh_rows(folder: Path) -> list[str]:
     return sorted(file.relative_to(folder).as_posix() for file in folder.rglob("*") if ending(file.name))
 
 
-def _yaml(reference: dict[str, Any], licence: str, meshes: list[str]) -> str:
+def _yaml(reference: dict[str, Any], method: str | None, licence: str, meshes: list[str]) -> str:
     """source.yaml as a person would write it; what isn't known is left empty, which validation points at."""
     lines = [
         "# CONTRIBUTING.md says what each field means; `hexalab validate` says what is missing.",
@@ -137,6 +145,7 @@ def _yaml(reference: dict[str, Any], licence: str, meshes: list[str]) -> str:
         else:
             lines.append(f"  {key}: {_scalar(value)}")
     lines += ["# links:", '#   pdf: "https://..."', '#   web: "https://..."']
+    lines += [] if method is None else [f"method: {_scalar(method)}  # {', '.join(METHODS)}"]
     lines += [f"licence: {_scalar(licence)}", "contributors:", '  - ""', "meshes:"]
     for path in meshes or [""]:
         lines += [f"  - file: {_scalar(path)}", '    description: ""']

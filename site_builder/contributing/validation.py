@@ -17,6 +17,7 @@ from ..model.names import ending
 from ..model.problems import disagreements, problem_of
 from ..model.published import FACTS_FILE, PICTURES
 from ..pages.words import count, file_size, number, structure_word, verdict
+from ..reading.models import read_models
 from ..reading.repository import LARGEST_FILE, read_repository, read_source
 
 KNOWN_FILES = ("source.yaml", FACTS_FILE, "make.py", "README.md", "LICENSE")
@@ -86,6 +87,7 @@ def validate(directory: Path, cache: Path | None = None) -> ValidationReport:
             catalogue.problems.append(
                 Problem("error", str(directory), 0, "", "no folder with a source.yaml in it")
             )
+    read_models(catalogue)
     report = ValidationReport(catalogue.problems)
     with tempfile.TemporaryDirectory() as temporary:
         place = cache or Path(temporary)

@@ -8,6 +8,7 @@ from typing import NotRequired, TypedDict
 from urllib.parse import quote
 
 from .facts import Facts
+from .models import Model
 from .names import doi_address, ending
 from .published import Collected
 
@@ -85,6 +86,12 @@ class MeshEntry:
         The axis that points up, as "y" or "-z"; "" to have it guessed.
     same_as : str
         Slug of another of the source's meshes that this file holds too, in another format; "" for none.
+    method : str
+        Id of the family of methods that made it (`methods.METHODS`), "" if it is not said.
+    domain : str
+        What it fills, if not the body of its model (`domains.DOMAINS`).
+    model, own_model : str, str or None
+        Id of the body that it is a mesh of, "" for none; and what its row says of that, None for nothing.
     collected, picture : Collected or None, Path or None
         Of a remote mesh, what was measured of it before, and the picture that was taken.
     line, lines : int, dict of str to int
@@ -105,6 +112,10 @@ class MeshEntry:
     facts: Facts = field(default_factory=Facts)
     up: str = ""
     same_as: str = ""
+    method: str = ""
+    domain: str = ""
+    model: str = ""
+    own_model: str | None = None
     collected: Collected | None = None
     picture: Path | None = None
     line: int = 0
@@ -164,6 +175,8 @@ class Source:
     ----------
     reference : Reference
         With `id`, `title`, `author` and `issued` at least.
+    method : str
+        Id of the family of methods that made its meshes (`methods.METHODS`), "" if it is not said.
     index_path : str
         Its folder in the original HexaLab's index, "" if it has none.
     """
@@ -172,6 +185,7 @@ class Source:
     folder: Path
     reference: Reference
     licence: str
+    method: str = ""
     licence_note: str = ""
     description: str = ""
     arxiv: str = ""
@@ -218,9 +232,13 @@ class Source:
         authors = self.reference["author"]
         if "literal" in authors[0]:
             return self.title.split(":")[0]
-        names = [author.get("family") or author["literal"] for author in authors]
-        who = f"{names[0]} et al." if len(names) > 2 else " and ".join(names)
-        return f"{who} {self.year}"
+        return f"{self.short_authors} {self.year}"
+
+    @property
+    def short_authors(self) -> str:
+        """Who: "Livesu et al."; the name of a group."""
+        names = [author.get("family") or author["literal"] for author in self.reference["author"]]
+        return f"{names[0]} et al." if len(names) > 2 else " and ".join(names)
 
     @property
     def label(self) -> str:
@@ -247,6 +265,11 @@ class Source:
         return self.reference["type"] == "dataset" and not self.doi and not self.arxiv
 
     @property
+    def listed(self) -> list[MeshEntry]:
+        """Its meshes without those that are another one in another format."""
+        return [mesh for mesh in self.meshes if not mesh.same_as]
+
+    @property
     def elsewhere(self) -> bool:
         """Whether no mesh of it lies in the repository."""
         return all(mesh.kind == "url" for mesh in self.meshes)
@@ -268,12 +291,18 @@ class Catalogue:
     publisher: str = ""
     first: list[str] = field(default_factory=list)
     sources: list[Source] = field(default_factory=list)
+    models: list[Model] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)
 
     @property
     def meshes(self) -> list[MeshEntry]:
         """Of all sources, in order."""
         return [mesh for source in self.sources for mesh in source.meshes]
+
+    @property
+    def listed(self) -> list[MeshEntry]:
+        """Of all sources, without those that are another one in another format."""
+        return [mesh for mesh in self.meshes if not mesh.same_as]
 
     @property
     def errors(self) -> list[Problem]:

@@ -14,16 +14,21 @@ from ..citing.citations import STYLES, citation, plain
 from ..citing.exports import bibtex
 from ..model.catalogue import Catalogue, MeshEntry, Source
 from ..model.facts import Statistics
+from ..model.methods import METHODS
+from ..model.models import Model
 from ..model.names import on_this_machine
 from ..pictures.collection import Collection
 from . import interface, metadata, words
 from .assets import assets
+from .bodies import bodies
 from .embedding import embedding_values
 from .environment import environment
 from .facets import FACETS, counts
 from .histogram import draw
 from .indexes import INDEX_VERSION
 from .keeping import connections, weight
+from .model_pages import model_values, models_values
+from .model_table import rows
 from .picture_pages import gallery_values, guide_values
 from .structure import figures, tallies
 from .structure_guide import structure_guide_values
@@ -60,11 +65,18 @@ class Pages:
         self._catalogue = catalogue
         self._pictures = pictures
         self._collection = collection or Collection(catalogue)
+        self._bodies = bodies(catalogue)
         self._citations: dict[str, dict[str, Markup]] = {}
         self._environment = environment()
-        self._environment.filters.update(count=words.count, number=words.number, file_size=words.file_size)
+        self._environment.filters.update(
+            count=words.count, number=words.number, file_size=words.file_size, rows=rows
+        )
         self._environment.globals.update(
             catalogue=catalogue,
+            bodies=self._bodies,
+            methods=METHODS,
+            pictures=pictures,
+            plural=words.plural,
             published=not on_this_machine(catalogue.address),
             picture=lambda mesh: mesh.picture_address in pictures,
             size=lambda figure: (figures or {}).get(figure.address),
@@ -101,6 +113,10 @@ class Pages:
         yield "offline/missing/", self.missing()
         if interface.installed():
             yield "python/", self.interface()
+        if self._bodies:
+            yield "models/", self._render("models", "models/", **models_values(list(self._bodies.values())))
+        for body in self._bodies.values():
+            yield body.model.page, self.model(body.model)
         for source in self._catalogue.sources:
             yield source.page, self.source(source)
             for mesh in source.meshes:
@@ -184,6 +200,10 @@ class Pages:
     def interface(self) -> str:
         """Every public name of the Python package."""
         return self._render("interface", "python/", **interface.interface_values())
+
+    def model(self, model: Model) -> str:
+        """A body's page: its meshes side by side."""
+        return self._render("model", model.page, **model_values(self._bodies[model.id], self._pictures))
 
     def source(self, source: Source) -> str:
         """A source's page."""

@@ -14,6 +14,7 @@ SHEETS = {
         "catalogue/page", "catalogue/text", "catalogue/title", "catalogue/button",
         "catalogue/search", "catalogue/chips", "catalogue/filters",
         "catalogue/cards", "catalogue/mark", "catalogue/range", "catalogue/table", "catalogue/sources",
+        "catalogue/models",
         "catalogue/mesh", "catalogue/structure", "catalogue/histogram", "catalogue/citation", "catalogue/about",
         "catalogue/shots", "catalogue/offline", "catalogue/guide", "catalogue/terms", "catalogue/interface",
         "catalogue/print",

@@ -41,11 +41,15 @@ def number(value: float | None) -> str:
 
 
 def share(part: int, whole: int) -> str:
-    """A percentage that never rounds something to nothing."""
-    if not whole or not part:
+    """A part of a whole as a percentage."""
+    return percent(part / whole) if whole else "0 %"
+
+
+def percent(part: float) -> str:
+    """A percentage that never rounds something to nothing: 0.125 is 12.5 %."""
+    if not part:
         return "0 %"
-    percent = 100 * part / whole
-    return f"{percent:.1f} %" if percent >= 0.1 else "under 0.1 %"
+    return f"{100 * part:.1f} %" if part >= 0.001 else "under 0.1 %"
 
 
 def file_size(size: int | None) -> str:

@@ -9,6 +9,7 @@ from typing import Any, cast
 from urllib.parse import quote, unquote, urljoin
 
 from ..model.catalogue import Catalogue, MeshEntry, Problem, Reference, Source
+from ..model.methods import METHODS
 from ..model.names import ending, mesh_name, on_this_machine, slug
 from ..model.published import FACTS_FILE, PICTURES, Collected, read_published
 from .checking import matches, schema, schema_problems
@@ -19,6 +20,9 @@ LARGEST_FILE = 25_000_000
 
 LONGEST_NAME = 200
 """Bytes of a file's or a folder's name."""
+
+PAPERS = ("article-journal", "article", "paper-conference", "thesis", "report")
+"""Types of references that present a method."""
 
 _SLUG = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 
@@ -78,6 +82,7 @@ def read_source(folder: Path, problems: list[Problem], root: Path | None = None)
         folder=folder,
         reference=_csl_item(slug(folder.name), data["reference"]),
         licence=data["licence"],
+        method=data.get("method", ""),
         licence_note=data.get("licence_note", ""),
         description=data.get("description", ""),
         arxiv=data["reference"].get("arXiv", ""),
@@ -163,6 +168,9 @@ def _mesh(source: Source, row: Mapping[str, Any], whole: Mapping[str, Any]) -> M
         declared_cells=row.get("cells"),
         up=row.get("up", whole.get("up", "")),
         same_as=row.get("same_as", ""),
+        method=row.get("method", source.method),
+        domain=row.get("domain", whole.get("domain", "")),
+        own_model=row.get("model"),
         picture=picture if kind == "url" and picture.is_file() else None,
     )
 
@@ -218,6 +226,8 @@ def _doubts(source: Source) -> Iterator[tuple[FieldPath, str]]:
     """What isn't wrong but should be better."""
     if source.reference["type"] == "article-journal" and not source.doi and not source.arxiv:
         yield ("reference",), "neither a DOI nor an arXiv id: readers can't get at the paper"
+    if source.reference["type"] in PAPERS and not source.method:
+        yield ("method",), f"missing: the family of methods that made the meshes, one of {', '.join(METHODS)}"
     if source.index_path:
         return  # of the original's index, which knows no more than addresses
     for index, mesh in enumerate(source.meshes):

@@ -34,7 +34,12 @@ function sortBy(table, head) {
 function keyOf(cell) {
   const text = (cell.textContent ?? "").trim();
   if (!cell.classList.contains("number")) return text === "–" ? null : text;
-  const value = Number.parseFloat(text.replaceAll(",", "").replaceAll("−", "-"));
+  const value = Number.parseFloat(
+    text
+      .replaceAll(",", "")
+      .replaceAll("−", "-")
+      .replace(/^[^\d-]+/, ""),
+  );
   return Number.isNaN(value) ? null : value;
 }
 

@@ -40,8 +40,13 @@ def test_C6_a_contribution_is_refused_mended_accepted_and_shown(contribution, de
     places = {(problem.file, problem.field) for problem in report.problems}
     assert ("doe-2025-hexes-everyone/source.yaml", "contributors[0]") in places
     assert ("doe-2025-hexes-everyone/source.yaml", "meshes[0].description") in places
+    assert ("doe-2025-hexes-everyone/source.yaml", "method") in places
 
-    text = contribution.read_text("utf-8").replace('  - ""', "  - Jane Doe")
+    text = (
+        contribution.read_text("utf-8")
+        .replace('  - ""', "  - Jane Doe")
+        .replace('method: ""', "method: octree")
+    )
     for number in range(3):
         text = text.replace('description: ""', f"description: The result for model number {number + 1}.", 1)
     contribution.write_text(text, "utf-8")
@@ -173,6 +178,7 @@ def test_C6_a_source_can_be_started_by_questions(tmp_path):
         "Year": "2025",
         "Journal": "Journal of Meshes",
         "DOI": "https://doi.org/10.5555/blocks",
+        "Method": "sweeping",
         "Licence": "CC-BY-4.0",
     }
     file = new_source("blocks", tmp_path, ask=lambda question: answers[question.split()[0].strip(",")])
@@ -182,6 +188,7 @@ def test_C6_a_source_can_be_started_by_questions(tmp_path):
     assert "{ literal: The Block Group }" in text
     assert 'DOI: "10.5555/blocks"' in text
     assert "licence: CC-BY-4.0" in text
+    assert "method: sweeping  #" in text
 
 
 def test_C6_a_source_is_not_started_twice(tmp_path):
