@@ -162,7 +162,7 @@ def build(
         taken, trouble = take_missing(shots, out, album, lambda what, part: tell(what, 0.4 + 0.5 * part))
     shown = _add_pictures(catalogue, output, thumbnails)
     figures = _add_figures(collection, output, album)
-    pages = Pages(catalogue, shown, collection, figures, installable=runtime)
+    pages = Pages(catalogue, shown, collection, figures, installable=runtime, memory=cache / "pages")
     addresses = []
     for number, (page, html) in enumerate(pages.all()):
         output.write(f"{page}index.html", html)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from functools import partial
+from pathlib import Path
 from typing import Any
 
 from markupsafe import Markup
@@ -27,6 +29,7 @@ from .facets import FACETS, counts
 from .histogram import draw
 from .indexes import INDEX_VERSION
 from .keeping import connections, weight
+from .memory import Memory
 from .model_pages import model_values, models_values
 from .model_table import rows
 from .picture_pages import gallery_values, guide_values
@@ -51,6 +54,8 @@ class Pages:
         Widths and heights of those of its pictures that the site has, by address.
     installable : bool
         Whether the site has the viewer, and can be installed as an application.
+    memory : Path, optional
+        Folder of pages that were made before.
     """
 
     def __init__(
@@ -61,8 +66,10 @@ class Pages:
         figures: dict[str, tuple[int, int]] | None = None,
         *,
         installable: bool = False,
+        memory: Path | None = None,
     ) -> None:
         self._catalogue = catalogue
+        self._memory = Memory(catalogue, pictures, memory, str(installable))
         self._pictures = pictures
         self._collection = collection or Collection(catalogue)
         self._bodies = bodies(catalogue)
@@ -111,16 +118,23 @@ class Pages:
         yield "about/", self.about()
         yield "offline/", self.offline()
         yield "offline/missing/", self.missing()
+        memory = self._memory
         if interface.installed():
-            yield "python/", self.interface()
+            yield from memory.pages(memory.interface, lambda: [("python/", self.interface())])
+        yield from memory.pages(memory.bodies, self._of_bodies)
+        for source in self._catalogue.sources:
+            yield from memory.pages(memory.of(source), partial(self._of_source, source))
+
+    def _of_bodies(self) -> Iterator[tuple[str, str]]:
         if self._bodies:
             yield "models/", self._render("models", "models/", **models_values(list(self._bodies.values())))
         for body in self._bodies.values():
             yield body.model.page, self.model(body.model)
-        for source in self._catalogue.sources:
-            yield source.page, self.source(source)
-            for mesh in source.meshes:
-                yield mesh.page, self.mesh(mesh)
+
+    def _of_source(self, source: Source) -> Iterator[tuple[str, str]]:
+        yield source.page, self.source(source)
+        for mesh in source.meshes:
+            yield mesh.page, self.mesh(mesh)
 
     def front(self) -> str:
         """The front page, with the first cards and all sources."""
