@@ -231,7 +231,7 @@ export class App extends Side {
       throw error;
     }
     const url = this.meshAddress(entry.mesh.url);
-    const origin = { ...this.fetching.from(url, entry.mesh.sha256 ?? ""), entry };
+    const origin = { ...this.fetching.from(url, entry.mesh), entry };
     const summary = await this.opening.open({ ...origin, status });
     this.steps.add(`${source}/${mesh}`, () => this.opening.open(origin));
     return summary;
