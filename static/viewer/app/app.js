@@ -9,6 +9,7 @@ import { LastFiles } from "./last_files.js";
 import { Leaving } from "./leaving.js";
 import { NewVersion } from "./new_version.js";
 import { Offered } from "./offered.js";
+import { Portraits } from "./portraits.js";
 import { rememberPreferences } from "./preferences.js";
 import { Shared } from "./shared.js";
 import { Side } from "./side.js";
@@ -45,6 +46,8 @@ export class App extends Side {
   constructor(parts, makeSecond = null) {
     super(parts);
     const { host } = parts;
+    /** @type {Portraits} */
+    this.portraits = new Portraits(this);
     this.documents = new Documents(this);
     this.saving = new Saving(this);
     this.files = new Files(this);
