@@ -149,7 +149,8 @@ def build(
     if catalogue.errors or (strict and warnings):
         raise BuildError(catalogue.problems)
     _add_static(output)
-    output.write("catalogue.json", indexes.catalogue_json(catalogue, previews))
+    collected = {mesh.picture_address for mesh in catalogue.meshes if mesh.picture}
+    output.write("catalogue.json", indexes.catalogue_json(catalogue, previews, collected))
     thumbnails = Thumbnails(cache)
     collection = Collection(catalogue, sections)
     album = Album(cache)

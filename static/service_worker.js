@@ -135,7 +135,7 @@ function answerTo(event) {
   if (mode === "navigate") return page(event);
   if (/\.json$/.test(new URL(url).pathname) && !/\/runtime-/.test(url)) return list(event);
   if (shell.getCacheKeyForURL(url)) return kept(event);
-  if (destination === "image" || url.endsWith(".preview")) return picture(event);
+  if (destination === "image" || /\.(preview|webp)$/.test(new URL(url).pathname)) return picture(event);
   return other(request);
 }
 

@@ -143,7 +143,7 @@ class MeshEntry:
 
     @property
     def picture_address(self) -> str:
-        """Address of the thumbnail below the site's root."""
+        """Address of the thumbnail below the site's root: smaller and packed tighter for what lies elsewhere."""
         return f"pictures/{self.id}.{'webp' if self.remote else 'png'}"
 
     @property

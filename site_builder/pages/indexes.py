@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Set
 from typing import Any, NotRequired, TypedDict
 from xml.sax.saxutils import escape
 
@@ -26,6 +27,8 @@ class MeshRow(TypedDict):
         Whether the file lies elsewhere on the web.
     preview : str
         Address of what is drawn before Python has started, where there is one.
+    picture : str
+        Address of the portrait that stands in for a remote mesh while it is fetched, where there is one.
     view : dict
         Partial status of the mesh's portrait, where it has been measured: the viewer opens with it.
     """
@@ -38,6 +41,7 @@ class MeshRow(TypedDict):
     bytes: int | None
     sha256: str | None
     preview: NotRequired[str]
+    picture: NotRequired[str]
     view: NotRequired[dict[str, Any]]
 
 
@@ -61,12 +65,13 @@ def dump(data: Any) -> str:
     return json.dumps(data, ensure_ascii=False, separators=(",", ":"), allow_nan=False) + "\n"
 
 
-def catalogue_json(catalogue: Catalogue, previews: set[str]) -> str:
-    """What the viewer needs to know: sources, meshes, addresses."""
-    return dump({"sources": [_for_viewer(source, previews) for source in catalogue.sources]})
+def catalogue_json(catalogue: Catalogue, previews: set[str], pictures: Set[str] = frozenset()) -> str:
+    """What the viewer needs to know: sources, meshes, addresses; of previews and pictures those that there are."""
+    there = previews | pictures
+    return dump({"sources": [_for_viewer(source, there) for source in catalogue.sources]})
 
 
-def _for_viewer(source: Source, previews: set[str]) -> SourceRow:
+def _for_viewer(source: Source, there: Set[str]) -> SourceRow:
     return {
         "slug": source.slug,
         "title": source.title,
@@ -77,11 +82,11 @@ def _for_viewer(source: Source, previews: set[str]) -> SourceRow:
         "pdf": source.pdf,
         "web": source.web or source.reference.get("URL", ""),
         "licence": source.licence,
-        "meshes": [_row_for_viewer(mesh, previews) for mesh in source.meshes],
+        "meshes": [_row_for_viewer(mesh, there) for mesh in source.meshes],
     }
 
 
-def _row_for_viewer(mesh: MeshEntry, previews: set[str]) -> MeshRow:
+def _row_for_viewer(mesh: MeshEntry, there: Set[str]) -> MeshRow:
     row: MeshRow = {
         "slug": mesh.slug,
         "name": mesh.name,
@@ -91,8 +96,10 @@ def _row_for_viewer(mesh: MeshEntry, previews: set[str]) -> MeshRow:
         "bytes": mesh.facts.bytes,
         "sha256": mesh.sha256,
     }
-    if mesh.preview_address in previews:
+    if mesh.preview_address in there:
         row["preview"] = mesh.preview_address
+    if mesh.remote and mesh.picture_address in there:
+        row["picture"] = mesh.picture_address
     if mesh.facts.view:
         row["view"] = portrait(mesh.facts)
     return row

@@ -22,8 +22,8 @@ SHEETS = {
     "viewer": (
         "tokens", "base",
         "viewer/page/page", "viewer/page/bar", "viewer/page/view", "viewer/page/compare", "viewer/page/empty_state",
-        "viewer/page/embedded", "viewer/page/progress_bar", "viewer/page/status_line", "viewer/page/message_list",
-        "viewer/page/panel",
+        "viewer/page/portrait", "viewer/page/embedded", "viewer/page/progress_bar", "viewer/page/status_line",
+        "viewer/page/message_list", "viewer/page/panel",
         "viewer/widgets/section", "viewer/widgets/row", "viewer/widgets/folding", "viewer/widgets/checkbox",
         "viewer/widgets/fields", "viewer/widgets/slider", "viewer/widgets/button", "viewer/widgets/link",
         "viewer/widgets/icon", "viewer/widgets/swatch", "viewer/widgets/table",

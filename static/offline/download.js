@@ -11,10 +11,12 @@ const MOST = 2e9;
  *
  * @param {string} address
  * @param {(fraction: number | null, text?: string, size?: number) => void} report with bytes so far
- * @param {{ signal?: AbortSignal, patience?: number, most?: number }} [options] milliseconds without a byte, bytes
+ * @param {{ signal?: AbortSignal, patience?: number, most?: number, size?: number }} [options] milliseconds without a byte, bytes;
+ *   `size`: bytes of the file as far as is known. A host may send it packed, and tells of another origin's page only how many bytes
+ *   that makes
  * @returns {Promise<ArrayBuffer>}
  */
-export async function download(address, report, { signal, patience = PATIENCE, most = MOST } = {}) {
+export async function download(address, report, { signal, patience = PATIENCE, most = MOST, size = 0 } = {}) {
   const { host } = new URL(address, location.href);
   const clock = new Clock(patience, signal);
   try {
@@ -22,7 +24,8 @@ export async function download(address, report, { signal, patience = PATIENCE, m
     clock.wind();
     if (!answer.ok) throw new Refused(`${host} answered ${answer.status} ${answer.statusText}`.trimEnd());
     const encoded = answer.headers.has("content-encoding");
-    const total = encoded ? 0 : Number(answer.headers.get("content-length") ?? 0);
+    const announced = encoded ? 0 : Number(answer.headers.get("content-length") ?? 0);
+    const total = size || announced;
     if (total > most) throw tooLarge(host, total, most);
     if (!answer.body) return await answer.arrayBuffer();
     return await collect(answer.body, { total, most, host, report, clock });
@@ -102,9 +105,10 @@ async function collect(body, { total, most, host, report, clock }) {
       void reader.cancel();
       throw tooLarge(host, size, most);
     }
+    const known = total > 0 && size <= total; // a packed file turns out larger than announced
     report(
-      total ? Math.min(1, size / total) : null,
-      `fetching, ${fileSize(size)}${total ? ` of ${fileSize(total)}` : ""}`,
+      known ? size / total : null,
+      `fetching, ${fileSize(size)}${known ? ` of ${fileSize(total)}` : ""}`,
       size,
     );
   }

@@ -9,6 +9,7 @@ import { LastFiles } from "./last_files.js";
 import { Leaving } from "./leaving.js";
 import { NewVersion } from "./new_version.js";
 import { Offered } from "./offered.js";
+import { Portraits } from "./portraits.js";
 import { rememberPreferences } from "./preferences.js";
 import { Shared } from "./shared.js";
 import { Side } from "./side.js";
@@ -45,6 +46,8 @@ export class App extends Side {
   constructor(parts, makeSecond = null) {
     super(parts);
     const { host } = parts;
+    /** @type {Portraits} */
+    this.portraits = new Portraits(this);
     this.documents = new Documents(this);
     this.saving = new Saving(this);
     this.files = new Files(this);
@@ -231,7 +234,7 @@ export class App extends Side {
       throw error;
     }
     const url = this.meshAddress(entry.mesh.url);
-    const origin = { ...this.fetching.from(url, entry.mesh.sha256 ?? ""), entry };
+    const origin = { ...this.fetching.from(url, entry.mesh), entry };
     const summary = await this.opening.open({ ...origin, status });
     this.steps.add(`${source}/${mesh}`, () => this.opening.open(origin));
     return summary;

@@ -100,7 +100,7 @@ export class Comparing {
     const entry = (await this.#app.catalogue)?.entry(source, mesh);
     if (!entry) return this.#fail(new Error(`the catalogue has no mesh ${source}/${mesh}`));
     const url = new URL(entry.mesh.url, document.baseURI).href;
-    const origin = { ...this.#app.fetching.from(url, entry.mesh.sha256 ?? ""), entry };
+    const origin = { ...this.#app.fetching.from(url, entry.mesh), entry };
     await this.#open(origin, `${source}/${mesh}`);
   }
 

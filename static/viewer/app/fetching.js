@@ -3,7 +3,7 @@ import { sha256 } from "../../offline/hash.js";
 import { isRecent, Shelf } from "../../offline/shelf.js";
 import { nameIn } from "./address.js";
 
-/** @typedef {import("../state/origin.js").Origin} Origin @typedef {{ name: string, sha256: string }} Known */
+/** @typedef {import("../state/origin.js").Origin} Origin @typedef {{ name: string, sha256: string, size: number }} Known */
 
 /** Milliseconds without a byte after which a mesh that is kept is taken from there. */
 const PATIENCE = 4000;
@@ -22,10 +22,15 @@ export class Fetching {
     this.#shelf = new Shelf(new URL(app.host.root, document.baseURI));
   }
 
-  /** @param {string} address a whole one @param {string} [sha256] of the file, where it is known @returns {Origin} */
-  from(address, sha256 = "") {
+  /**
+   * @param {string} address a whole one
+   * @param {{ sha256?: string | null, bytes?: number | null }} [file] what is known of it
+   * @returns {Origin}
+   */
+  from(address, { sha256, bytes } = {}) {
     const name = nameIn(address);
-    return { name, address, bytes: (report) => this.#bytes(address, { name, sha256 }, report) };
+    const known = { name, sha256: sha256 ?? "", size: bytes ?? 0 };
+    return { name, address, bytes: (report) => this.#bytes(address, known, report) };
   }
 
   /** @param {string} address @param {Known} known @param {import("../state/origin.js").Report} report */
@@ -37,7 +42,10 @@ export class Fetching {
       return bytes;
     }
     try {
-      const bytes = await download(address, report, found ? { patience: PATIENCE } : {});
+      const bytes = await download(address, report, {
+        size: known.size,
+        ...(found ? { patience: PATIENCE } : {}),
+      });
       if (address.startsWith("http")) void this.#keep(address, bytes, known);
       return bytes;
     } catch (error) {

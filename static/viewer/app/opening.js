@@ -69,7 +69,7 @@ export class Opening {
    * @throws {Error} what could not be read, in words that were also shown
    */
   async open(origin) {
-    const { progress, messages, client, scene, ahead } = this.#app;
+    const { progress, messages, client, scene, ahead, portraits } = this.#app;
     const turn = ++this.#turn;
     const began = performance.now();
     const task = progress.begin(`fetching ${origin.name}`);
@@ -80,10 +80,9 @@ export class Opening {
       let needless = () => {};
       const read = /** @type {Promise<null>} */ (new Promise((done) => (needless = () => done(null))));
       const preview = this.#preview(origin, current, read);
-      void preview.then(() => {
-        ahead.tellShown();
-        void scene.prepare(); // while the core starts
-      });
+      const portrayed = portraits?.begin(origin);
+      void preview.then(() => scene.prepare()); // while the core starts
+      void Promise.all([preview, portrayed]).then(() => ahead.tellShown());
       const bytes = await bytesIn(origin, (fraction, text) => task.report(fraction, text));
       current();
       task.report(
@@ -101,6 +100,7 @@ export class Opening {
       this.#current = origin;
       if (previewed) messages.settle("open");
       await this.#begin(origin, summary, previewed);
+      void portraits?.seen();
       this.#app.note({ ...summary.timings, first_picture: performance.now() - began });
       task.end();
       this.#app.measures.fill();
@@ -108,6 +108,7 @@ export class Opening {
       return summary;
     } catch (error) {
       if (!(error instanceof Superseded)) messages.error(error, { topic: "open" });
+      if (turn === this.#turn) portraits?.failed();
       if (turn === this.#turn && this.#held !== this.#current) await this.reopen();
       throw error;
     } finally {
@@ -251,7 +252,7 @@ export class Opening {
     const address = origin.entry?.mesh.preview;
     if (!address || this.#app.facts.get("core") === "ready") return false;
     try {
-      const bytes = await Promise.race([this.#app.ahead.preview(address), read]);
+      const bytes = await Promise.race([this.#app.ahead.bytes(address), read]);
       if (bytes === null) return false;
       const packed = /** @type {import("../state/answers.js").Preview} */ (
         /** @type {unknown} */ (unpack(bytes))

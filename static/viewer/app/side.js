@@ -101,6 +101,9 @@ export class Side {
     return false;
   }
 
+  /** Pictures of meshes that are on their way, where there is a place for them. @type {import("./portraits.js").Portraits | null} */
+  portraits = null;
+
   /** The core has taken a mesh: what it was told of others is gone. @type {() => void} */
   taken = () => {};
 

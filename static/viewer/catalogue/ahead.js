@@ -5,7 +5,7 @@ import { Catalogue } from "./catalogue.js";
  *
  *     const ahead = new Ahead(root, "shapes/cube");
  *     // build the page
- *     const bytes = await ahead.preview(entry.mesh.preview);
+ *     const bytes = await ahead.bytes(entry.mesh.preview);
  */
 export class Ahead {
   /** The catalogue's index. @type {Promise<Catalogue>} */
@@ -27,22 +27,23 @@ export class Ahead {
   /** @param {string} mesh */
   async #ask(mesh) {
     const [source, slug] = mesh.split("/");
-    const address = (await this.catalogue).entry(source, slug)?.mesh.preview;
+    const { preview, picture } = (await this.catalogue).entry(source, slug)?.mesh ?? {};
+    const address = preview ?? picture;
     if (!address) return;
     const bytes = whole(address);
     bytes.catch(() => {}); // said by whoever needs it
     this.#early = { address, bytes };
   }
 
-  /** A mesh's preview: the one that was asked for, once, or another. @param {string} address @returns {Promise<ArrayBuffer>} */
-  preview(address) {
+  /** A mesh's preview, or its portrait: what was asked for, once, or another. @param {string} address @returns {Promise<ArrayBuffer>} */
+  bytes(address) {
     const early = this.#early;
     this.#early = null;
     return early?.address === address ? early.bytes : whole(address);
   }
 }
 
-/** A preview is small: it comes in one piece. @param {string} address @returns {Promise<ArrayBuffer>} */
+/** Both are small: they come in one piece. @param {string} address @returns {Promise<ArrayBuffer>} */
 async function whole(address) {
   const answer = await fetch(address);
   if (!answer.ok) throw new Error(`${address} could not be fetched: ${answer.status}`);

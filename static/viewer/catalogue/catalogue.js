@@ -21,6 +21,7 @@ export class Catalogue {
         ...mesh,
         url: /** @type {string} */ (absolute(mesh.url)),
         preview: absolute(mesh.preview),
+        picture: absolute(mesh.picture),
       })),
     }));
   }

@@ -22,7 +22,7 @@
 /**
  * What comes before the core does.
  *
- * @typedef {Pick<import("../catalogue/ahead.js").Ahead, "shown" | "tellShown" | "preview">
+ * @typedef {Pick<import("../catalogue/ahead.js").Ahead, "shown" | "tellShown" | "bytes">
  *   & { catalogue: Promise<import("../catalogue/catalogue.js").Catalogue | null> }} Ahead
  */
 
@@ -40,6 +40,6 @@ export function nothingAhead() {
     catalogue: Promise.resolve(null),
     shown: Promise.resolve(),
     tellShown: () => {},
-    preview: (address) => Promise.reject(new Error(`there is no preview at ${address}`)),
+    bytes: (address) => Promise.reject(new Error(`there is nothing at ${address}`)),
   };
 }

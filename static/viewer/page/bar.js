@@ -2,6 +2,7 @@ import { referenceOf } from "../panels/catalogue.js";
 import { h } from "../widgets/dom.js";
 import { icon } from "../widgets/icons.js";
 import { watch } from "../widgets/bind.js";
+import { NAMING, namedIn } from "./named.js";
 
 /** @typedef {import("../widgets/bind.js").Context} Context */
 
@@ -19,7 +20,7 @@ export function bar(context, dialogs) {
 
 /** @param {Context} context */
 function title(context) {
-  const name = h("span", { class: "bar-mesh" });
+  const mesh = h("span", { class: "bar-mesh" });
   const source = h("span", { class: "bar-source quiet" });
   const body = h("div", { class: "popover-body", id: "citation", popover: "auto" });
   const cite = h("button", { type: "button", class: "link", popovertarget: body.id, hidden: true }, "cite");
@@ -27,18 +28,18 @@ function title(context) {
     "h1",
     { class: "bar-title" },
     h("span", { class: "visually-hidden" }, "Viewer "),
-    name,
+    mesh,
     source,
   );
-  watch(context, { facts: ["summary", "entry"] }, () => {
-    const { summary, entry } = { summary: context.facts.get("summary"), entry: context.facts.get("entry") };
-    name.textContent = entry?.mesh.name ?? summary?.name ?? "";
+  watch(context, { facts: NAMING }, () => {
+    const { name, entry } = namedIn(context.facts);
+    mesh.textContent = name;
     source.textContent = entry
       ? `${entry.source.title}${entry.source.year ? ` (${entry.source.year})` : ""}`
       : "";
     cite.hidden = !entry;
     if (entry) body.replaceChildren(referenceOf(entry.source));
-    document.title = name.textContent ? `${name.textContent} · HexaLab` : "HexaLab";
+    document.title = name ? `${name} · HexaLab` : "HexaLab";
   });
   return h("div", { class: "bar-what" }, element, cite, body);
 }

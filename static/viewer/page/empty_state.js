@@ -37,8 +37,8 @@ export function emptyState(context) {
   );
   watch(
     context,
-    { facts: ["summary", "progress"] },
-    () => void (element.hidden = Boolean(context.facts.get("summary"))),
+    { facts: ["summary", "portrait"] },
+    () => void (element.hidden = Boolean(context.facts.get("summary") ?? context.facts.get("portrait"))),
   );
   watch(context, { facts: ["again"] }, () => {
     const files = context.facts.get("again");

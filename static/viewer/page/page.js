@@ -28,6 +28,7 @@ import { centreBeside } from "./covered.js";
 import { emptyState } from "./empty_state.js";
 import { followSize } from "./canvas_size.js";
 import { statusLine } from "./status_line.js";
+import { portrait } from "./portrait.js";
 import { pictureInWords } from "./picture_in_words.js";
 
 /** The panel's sections, in their order. */
@@ -51,6 +52,7 @@ export class Page {
     const cellInspector = inspector(context);
     place(
       "pane",
+      portrait(context),
       progressBar(context),
       fitButton(context),
       cellLabel(context, context.app.scene),

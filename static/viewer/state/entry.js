@@ -10,7 +10,8 @@
  * @property {number | null} [bytes]
  * @property {string | null} [sha256]
  * @property {string} [preview] address of its summary and first picture
- * @property {import("./status.js").PartialStatus} [view] what it opens with, and what the preview was made under
+ * @property {string} [picture] address of its portrait, where it lies elsewhere and has to be fetched first
+ * @property {import("./status.js").PartialStatus} [view] what it opens with, and what preview and portrait were made under
  *
  * @typedef {object} CatalogueSource  a publication
  * @property {string} slug

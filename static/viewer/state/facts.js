@@ -29,6 +29,14 @@ import { ROWS } from "./numbering.js";
  * @property {number} hausdorff the larger of both largest
  * @property {number} hausdorff_percent of the first one's diagonal
  *
+ * @typedef {object} Portrait  stands in for a mesh that is on its way
+ * @property {import("./entry.js").Entry} entry
+ * @property {HTMLImageElement} image
+ * @property {{ width: number, height: number }} taken of the picture by the body, from 0 to 1
+ * @property {{ width: number, height: number } | null} size that it has upon the canvas, once the mesh is known: its body is then
+ *   exactly where that of the mesh is
+ * @property {boolean} aside of the mesh that is open, which stays on the screen until then
+ *
  * @typedef {object} FactTable  the facts by name
  * @property {"starting" | "ready" | "failed"} core
  * @property {Tool} tool what a click on the picture does
@@ -43,6 +51,7 @@ import { ROWS } from "./numbering.js";
  * @property {readonly { id: string, name: string, surface?: boolean }[]} offers meshes, and surfaces to measure against, that the core has at hand
  * @property {string | null} offered the open mesh, if it is one of these
  * @property {"kept" | "free" | "coming" | null} offline whether this browser keeps the open mesh until it is freed; null where it can't
+ * @property {Portrait | null} portrait of the mesh that is being fetched, if it has one
  * @property {MeshSummary | null} summary of the open mesh, null while there is none
  * @property {Partial<import("./answers.js").Description> | null} description
  * @property {Readonly<Record<string, import("./answers.js").Statistics>>} statistics by quantity
@@ -118,6 +127,7 @@ const NOTHING = {
   core: "starting",
   messages: [],
   progress: null,
+  portrait: null,
   timings: {},
   archive: null,
   catalogue: null,

@@ -35,7 +35,17 @@ export function ownView(defaults, { direction, up, facing }, portrait = {}) {
     camera: { fit: true, direction, up },
     filters: { planes: { items: [{ enabled: true, normal: facing, offset: 0 }] } },
   };
-  return merge(merge(defaults, own), portrait);
+  return withWholeBands(merge(merge(defaults, own), portrait));
+}
+
+/** A band of which the document leaves out an end is open there. @param {Status} status @returns {Status} */
+function withWholeBands(status) {
+  const items = status.filters.quality.items.map(({ minimum, maximum, ...band }) => ({
+    ...band,
+    minimum: minimum ?? null,
+    maximum: maximum ?? null,
+  }));
+  return merge(status, { filters: { quality: { items } } });
 }
 
 /**

@@ -8,6 +8,8 @@ import pytest
 from hexalab.formats import read_bytes
 from hexalab.packing import unpack
 from site_builder.pages.facets import FACETS
+from site_builder.pages.indexes import catalogue_json
+from site_builder.reading.repository import read_repository
 
 
 def load(site, name):
@@ -37,6 +39,14 @@ def test_O2_meshes_here_have_a_preview(site):
     for mesh in load(site, "catalogue.json")["sources"][0]["meshes"]:
         preview = unpack((site / mesh["preview"]).read_bytes())
         assert preview
+
+
+def test_C8_meshes_elsewhere_have_a_picture_where_there_is_one(demo):
+    catalogue = read_repository(demo)
+    pictures = {mesh.picture_address for mesh in catalogue.meshes} - {"pictures/far/second.webp"}
+    small, far = json.loads(catalogue_json(catalogue, set(), pictures))["sources"]
+    assert [mesh.get("picture") for mesh in far["meshes"]] == ["pictures/far/one-folder-first.webp", None]
+    assert not any("picture" in mesh for mesh in small["meshes"])
 
 
 def test_C3_our_index_has_a_version_and_all_facts(site):

@@ -210,9 +210,9 @@ test("S6: one of the catalogue, or an address, is named beside the first; a file
   const all = await opened({}, null);
   const named = /** @type {(string | null)[]} */ ([]);
   all.app.steps.beside = (address) => void named.push(address);
-  const hashes = /** @type {(string | undefined)[]} */ ([]);
-  all.app.fetching.from = (address, hash) => {
-    hashes.push(hash);
+  const hashes = /** @type {unknown[]} */ ([]);
+  all.app.fetching.from = (address, known) => {
+    hashes.push(known?.sha256);
     const file = fileOf(address, address.endsWith(".stl") ? { surface: true } : {});
     return { name: address, address, bytes: () => file.arrayBuffer() };
   };

@@ -9,7 +9,13 @@ const ROW = {
   url: "meshes/shapes/cube.mesh",
   preview: "meshes/shapes/cube.preview",
 };
-const INDEX = { sources: [{ slug: "shapes", title: "Shapes", authors: [], meshes: [ROW] }] };
+const FAR = {
+  slug: "far",
+  name: "Far",
+  url: "https://far.example/far.mesh",
+  picture: "pictures/shapes/far.webp",
+};
+const INDEX = { sources: [{ slug: "shapes", title: "Shapes", authors: [], meshes: [ROW, FAR] }] };
 const PREVIEW = `${ROOT}meshes/shapes/cube.preview`;
 
 /** @type {string[]} */
@@ -34,17 +40,26 @@ test("O2 the preview is asked for as soon as the catalogue is there, and only on
   const ahead = new Ahead(ROOT, "shapes/cube");
   await settled();
   assert.deepEqual(asked, [`${ROOT}catalogue.json`, PREVIEW]);
-  assert.equal((await ahead.preview(PREVIEW)).byteLength, 3);
+  assert.equal((await ahead.bytes(PREVIEW)).byteLength, 3);
   assert.equal(asked.length, 2);
-  await ahead.preview(PREVIEW);
+  await ahead.bytes(PREVIEW);
   assert.equal(asked.length, 3); // what was used is asked for anew
+});
+
+test("C8 of a mesh that lies elsewhere the portrait is asked for", async () => {
+  const ahead = new Ahead(ROOT, "shapes/far");
+  await settled();
+  const picture = `${ROOT}pictures/shapes/far.webp`;
+  assert.deepEqual(asked, [`${ROOT}catalogue.json`, picture]);
+  assert.equal((await ahead.bytes(picture)).byteLength, 3);
+  assert.equal(asked.length, 2);
 });
 
 test("O2 another preview is fetched when it is wanted", async () => {
   const ahead = new Ahead(ROOT, "shapes/other");
   await settled();
   assert.deepEqual(asked, [`${ROOT}catalogue.json`]);
-  await ahead.preview(`${ROOT}other.preview`);
+  await ahead.bytes(`${ROOT}other.preview`);
   assert.equal(asked.at(-1), `${ROOT}other.preview`);
 });
 

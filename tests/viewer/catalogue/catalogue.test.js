@@ -18,7 +18,14 @@ const INDEX = {
           sha256: "aa",
           preview: "meshes/grids/cube.hxb",
         },
-        { slug: "bar", name: "Bar", cells: 27, url: "https://example.org/bar.vtk", remote: true },
+        {
+          slug: "bar",
+          name: "Bar",
+          cells: 27,
+          url: "https://example.org/bar.vtk",
+          remote: true,
+          picture: "pictures/grids/bar.webp",
+        },
       ],
     },
   ],
@@ -36,6 +43,10 @@ test("C4: addresses are relative to the site's root, wherever it lies", () => {
     "https://site.example/hexalab/meshes/grids/cube.hxb",
   );
   assert.equal(catalogue.entry("grids", "bar")?.mesh.url, "https://example.org/bar.vtk");
+  assert.equal(
+    catalogue.entry("grids", "bar")?.mesh.picture,
+    "https://site.example/hexalab/pictures/grids/bar.webp",
+  );
   assert.equal(catalogue.entry("grids", "none"), null);
 });
 

@@ -60,6 +60,13 @@ test("V6: a mesh opens whole, in its own view, with a slice that faces the eye",
   assert.deepEqual(settings.filters?.planes?.items, [{ enabled: true, normal: view.facing, offset: 0 }]);
 });
 
+test("C4: an end that a portrait's band leaves out is open", () => {
+  const band = { quantity: "scaled_jacobian", keep: "inside", maximum: 0.3 };
+  const portrait = /** @type {any} */ ({ filters: { quality: { items: [band] } } });
+  const { items } = ownView(defaults, view, portrait).filters.quality;
+  assert.deepEqual(items, [{ ...band, minimum: null }]);
+});
+
 test("C4: one of the catalogue opens as its portrait shows it", () => {
   const portrait = { separation: { mode: /** @type {const} */ ("rounded") } };
   const { settings } = openingSettings(ownView(defaults, view, portrait), untouched);
