@@ -17,7 +17,7 @@ class Body:
     ----------
     model : Model
     meshes : tuple of MeshEntry
-        The newest first; those that are another one in another format are left out.
+        Those that are measured first, the newest at the top; those that are another one in another format are left out.
     left_out : int
         How many were.
     """
@@ -44,10 +44,8 @@ class Body:
     @cached_property
     def measured(self) -> list[MeshEntry]:
         """Meshes of the body itself whose Scaled Jacobian is known, the best first."""
-        known = [(mesh.facts.sj_min, mesh) for mesh in self.filling]
-        return [
-            mesh for _, mesh in sorted((row for row in known if row[0] is not None), key=lambda row: -row[0])
-        ]
+        known = [mesh for mesh in self.filling if mesh.facts.sj_min is not None]
+        return sorted(known, key=lambda mesh: -(mesh.facts.sj_min or 0.0))
 
     def rival(self, mesh: MeshEntry) -> MeshEntry | None:
         """The mesh beside which another one is best seen: that of the highest minimum, or the next to it."""
@@ -71,6 +69,10 @@ def bodies(catalogue: Catalogue) -> dict[str, Body]:
     return {body.model.id: body for body in made}
 
 
+def _place(mesh: MeshEntry) -> tuple[bool, int]:
+    return mesh.facts.sj_min is None, -mesh.source.year
+
+
 def _body(model: Model, meshes: list[MeshEntry]) -> Body:
-    shown = sorted((mesh for mesh in meshes if not mesh.same_as), key=lambda mesh: -mesh.source.year)
+    shown = sorted((mesh for mesh in meshes if not mesh.same_as), key=_place)
     return Body(model, tuple(shown), len(meshes) - len(shown))

@@ -33,6 +33,7 @@ def model_values(body: Body, pictures: set[str]) -> dict[str, Any]:
         "summary": summary(body),
         "left_out": left_out(body),
         "pictured": pictured[:STRIP],
+        "filling": rows(body.filling),
         "others": rows(body.others, compared=False),
         "columns": COLUMNS,
         "choices": CHOICES,

@@ -64,7 +64,7 @@ COLUMNS = (
         f"SJ < {LOW}",
         f"Share of cells with a Scaled Jacobian below {LOW}",
         lambda mesh: _low_share(mesh.facts),
-        percent,
+        lambda part: percent(part).replace("under ", "< "),
         "low",
     ),
     Column(

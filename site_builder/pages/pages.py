@@ -31,7 +31,6 @@ from .indexes import INDEX_VERSION
 from .keeping import connections, weight
 from .memory import Memory
 from .model_pages import model_values, models_values
-from .model_table import rows
 from .picture_pages import gallery_values, guide_values
 from .structure import figures, tallies
 from .structure_guide import structure_guide_values
@@ -75,9 +74,7 @@ class Pages:
         self._bodies = bodies(catalogue)
         self._citations: dict[str, dict[str, Markup]] = {}
         self._environment = environment()
-        self._environment.filters.update(
-            count=words.count, number=words.number, file_size=words.file_size, rows=rows
-        )
+        self._environment.filters.update(count=words.count, number=words.number, file_size=words.file_size)
         self._environment.globals.update(
             catalogue=catalogue,
             bodies=self._bodies,
