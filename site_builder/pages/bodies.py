@@ -65,8 +65,13 @@ def bodies(catalogue: Catalogue) -> dict[str, Body]:
         if mesh.model:
             found[mesh.model].append(mesh)
     made = [_body(model, found[model.id]) for model in catalogue.models if found[model.id]]
-    made.sort(key=lambda body: (-len(body.sources), -len(body.meshes), body.model.title.lower()))
+    made.sort(key=_rank)
     return {body.model.id: body for body in made}
+
+
+def _rank(body: Body) -> tuple[int, bool, int, str]:
+    """By number of sources; of as many, those that can be seen and compared first."""
+    return -len(body.sources), not body.measured, -len(body.meshes), body.model.title.lower()
 
 
 def _place(mesh: MeshEntry) -> tuple[bool, int]:

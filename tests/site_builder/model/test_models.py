@@ -181,6 +181,7 @@ def read(demo):
 
 
 def test_C5_a_row_says_whose_mesh_it_is(modelled, edit):
+    edit(modelled / "small" / "source.yaml", lambda data: data["meshes"][0].pop("model"))
     assert [mesh.model for mesh in read(modelled).meshes] == ["", "", "", "pair", "second"], (
         "none of our own by name"
     )
