@@ -20,7 +20,9 @@ from .model.problems import disagreements, problem_of
 from .output import Output
 from .pages import indexes, interface
 from .pages.assets import assets
+from .pages.croissant import croissant
 from .pages.library import library_json
+from .pages.numbers import Numbers
 from .pages.pages import Pages
 from .pages.viewer_page import viewer_page
 from .pages.words import file_size
@@ -28,8 +30,11 @@ from .pictures import Album, png_size, take_missing
 from .pictures.collection import Collection
 from .pictures.portrait import portrait
 from .pictures.thumbnails import Thumbnails
+from .plots import kept as plots
 from .reading.gallery import read_gallery
 from .reading.repository import read_repository
+from .tables import files as table
+from .tables.field import field_of
 
 ROOT = Path(__file__).resolve().parent.parent
 STATIC = ROOT / "static"
@@ -157,7 +162,8 @@ def build(
         taken, trouble = take_missing(shots, out, album, lambda what, part: tell(what, 0.4 + 0.5 * part))
     shown = _add_pictures(catalogue, output, thumbnails)
     figures = _add_figures(collection, output, album)
-    pages = Pages(catalogue, shown, collection, figures, installable=runtime)
+    numbers = _add_numbers(catalogue, output, shown, cache)
+    pages = Pages(catalogue, shown, collection, figures, numbers=numbers, installable=runtime)
     addresses = []
     for number, (page, html) in enumerate(pages.all()):
         output.write(f"{page}index.html", html)
@@ -182,7 +188,10 @@ def build(
         weight=weight,
         sizes=_sizes(out),
         warnings=warnings,
-        notes=[note for note in (trouble, "" if interface.installed() else interface.NOT_INSTALLED) if note],
+        notes=[
+            *([trouble] if trouble else []),
+            *(part.NOT_INSTALLED for part in (interface, table, plots) if not part.installed()),
+        ],
     )
 
 
@@ -240,6 +249,17 @@ def _add_figures(collection: Collection, output: Output, album: Album) -> dict[s
         output.copy(address, picture)
         figures[address] = png_size(picture)
     return figures
+
+
+def _add_numbers(catalogue: Catalogue, output: Output, pictures: set[str], cache: Path) -> Numbers:
+    """The table of all meshes and what describes it; give what the page about them shows."""
+    rows = table.table_of(catalogue.meshes, catalogue.address, pictures)
+    files = table.files_of(rows, cache)
+    for address, content in files.items():
+        output.write(address, content)
+    output.write("croissant.json", indexes.dump(croissant(catalogue, files)))
+    published = field_of(catalogue.meshes)
+    return Numbers(published, files, plots.drawn(published, cache, "../"))
 
 
 def _add_static(output: Output) -> None:

@@ -48,6 +48,13 @@ def share(part: int, whole: int) -> str:
     return f"{percent:.1f} %" if percent >= 0.1 else "under 0.1 %"
 
 
+def percent(part: float | None) -> str:
+    """A part of one as a whole percentage: 98 %; only all is 100 %."""
+    if part is None:
+        return NOT_KNOWN
+    return "100 %" if part == 1 else f"{min(100 * part, 99):.0f} %"
+
+
 def file_size(size: int | None) -> str:
     """Bytes as people read them: 1.4 MB."""
     if size is None:
