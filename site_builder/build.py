@@ -21,7 +21,6 @@ from .output import Output
 from .pages import indexes, interface
 from .pages.assets import assets
 from .pages.croissant import croissant
-from .pages.library import library_json
 from .pages.numbers import Numbers
 from .pages.pages import Pages
 from .pages.viewer_page import viewer_page
@@ -271,8 +270,7 @@ def _add_static(output: Output) -> None:
 
 
 def _add_indexes(catalogue: Catalogue, output: Output, pages: list[str], pictures: set[str]) -> None:
-    output.write("index.json", indexes.index_json(catalogue))
-    output.write("library.json", library_json(catalogue))
+    output.write("index.json", indexes.index_json(catalogue, pictures))
     output.write("search.json", indexes.search_json(catalogue, pictures))
     output.write("datasets/index.json", indexes.original_index(catalogue))
     output.write("sitemap.xml", indexes.sitemap(catalogue, pages))
