@@ -10,11 +10,11 @@ from typing import Any
 
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
-VIEWER, CATALOGUE = "build/viewer", "build/catalogue.json"
+VIEWER, CATALOGUE = "build/viewer", "build/catalogue.json.gz"
 """Where viewer and catalogue lie once they are built, in the clone and in the sdist."""
 
 PACKAGED = {
-    "wheel": {VIEWER: "hexalab/viewer", CATALOGUE: "hexalab/catalogue.json"},
+    "wheel": {VIEWER: "hexalab/viewer", CATALOGUE: "hexalab/catalogue.json.gz"},
     "sdist": {VIEWER: VIEWER, CATALOGUE: CATALOGUE},
 }
 

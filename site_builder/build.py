@@ -22,8 +22,9 @@ from .output import Output
 from .pages import indexes, interface
 from .pages.assets import assets
 from .pages.bodies import bodies
-from .pages.library import library_json
+from .pages.croissant import croissant
 from .pages.model_csv import model_csv
+from .pages.numbers import Numbers
 from .pages.pages import Pages
 from .pages.viewer_page import viewer_page
 from .pages.words import file_size
@@ -31,9 +32,12 @@ from .pictures import Album, png_size, take_missing
 from .pictures.collection import Collection
 from .pictures.portrait import portrait
 from .pictures.thumbnails import Thumbnails
+from .plots import kept as plots
 from .reading.gallery import read_gallery
 from .reading.models import read_models
 from .reading.repository import read_repository
+from .tables import files as table
+from .tables.field import field_of
 
 ROOT = Path(__file__).resolve().parent.parent
 STATIC = ROOT / "static"
@@ -163,7 +167,10 @@ def build(
         taken, trouble = take_missing(shots, out, album, lambda what, part: tell(what, 0.4 + 0.5 * part))
     shown = _add_pictures(catalogue, output, thumbnails)
     figures = _add_figures(collection, output, album)
-    pages = Pages(catalogue, shown, collection, figures, installable=runtime, memory=cache / "pages")
+    numbers = _add_numbers(catalogue, output, shown, cache)
+    pages = Pages(
+        catalogue, shown, collection, figures, numbers=numbers, installable=runtime, memory=cache / "pages"
+    )
     addresses = []
     for number, (page, html) in enumerate(pages.all()):
         output.write(f"{page}index.html", html)
@@ -191,7 +198,10 @@ def build(
         weight=weight,
         sizes=_sizes(out),
         warnings=warnings,
-        notes=[note for note in (trouble, "" if interface.installed() else interface.NOT_INSTALLED) if note],
+        notes=[
+            *([trouble] if trouble else []),
+            *(part.NOT_INSTALLED for part in (interface, table, plots) if not part.installed()),
+        ],
     )
 
 
@@ -251,6 +261,17 @@ def _add_figures(collection: Collection, output: Output, album: Album) -> dict[s
     return figures
 
 
+def _add_numbers(catalogue: Catalogue, output: Output, pictures: set[str], cache: Path) -> Numbers:
+    """The table of all meshes and what describes it; give what the page about them shows."""
+    rows = table.table_of(catalogue.meshes, catalogue.address, pictures)
+    files = table.files_of(rows, cache)
+    for address, content in files.items():
+        output.write(address, content)
+    output.write("croissant.json", indexes.dump(croissant(catalogue, files)))
+    published = field_of(catalogue.meshes)
+    return Numbers(published, files, plots.drawn(published, cache, "../"))
+
+
 def _add_static(output: Output) -> None:
     """Styles, scripts of the pages, icon."""
     for address, content in assets().files.items():
@@ -260,8 +281,7 @@ def _add_static(output: Output) -> None:
 
 
 def _add_indexes(catalogue: Catalogue, output: Output, pages: list[str], pictures: set[str]) -> None:
-    output.write("index.json", indexes.index_json(catalogue))
-    output.write("library.json", library_json(catalogue))
+    output.write("index.json", indexes.index_json(catalogue, pictures))
     output.write("search.json", indexes.search_json(catalogue, pictures))
     output.write("datasets/index.json", indexes.original_index(catalogue))
     output.write("sitemap.xml", indexes.sitemap(catalogue, pages))

@@ -8,7 +8,7 @@ from pathlib import Path
 MOST_BYTES = 300_000_000
 """What may stay of what a build has not used; one of the whole repository uses half of that."""
 
-FOLDERS = ("made", "facts", "preview", "pictures", "pages", "numbers")
+FOLDERS = ("made", "facts", "preview", "pictures", "pages", "plots", "tables")
 """Below the cache's folder, what is remembered by content."""
 
 

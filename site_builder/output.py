@@ -7,8 +7,8 @@ import shutil
 from pathlib import Path
 
 OWNED = (
-    "about", "catalogue", "datasets", "gallery", "guide", "icons", "meshes", "models", "offline", "pictures", "screens",
-    "scripts", "sources", "styles",
+    "about", "catalogue", "datasets", "gallery", "guide", "icons", "meshes", "models", "numbers", "offline", "pictures",
+    "screens", "scripts", "sources", "styles",
 )  # fmt: skip
 """Folders in which nothing may lie that this build hasn't written."""
 

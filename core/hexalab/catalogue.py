@@ -4,13 +4,15 @@
 >>> mesh = hexalab.catalogue.load("bukenberger-2022-at-most-hexa/cylinder-g")     # doctest: +SKIP
 >>> print(hexalab.catalogue.cite("bukenberger-2022-at-most-hexa/cylinder-g"))     # doctest: +SKIP
 
-The list comes with the package. Meshes are fetched from where their authors put them, once, and kept in the user's
-cache; their SHA-256 is checked each time. A site of one's own is another catalogue, if its address stands in the
-environment variable ``HEXALAB_CATALOGUE``; ``HEXALAB_CACHE`` names another folder for what is kept.
+The index comes with the package: sources, citations, and of each mesh all that was measured (`Entry.facts`). Meshes
+are fetched from where their authors put them, once, and kept in the user's cache; their SHA-256 is checked each time.
+A site of one's own is another catalogue, if its address stands in the environment variable ``HEXALAB_CATALOGUE``;
+``HEXALAB_CACHE`` names another folder for what is kept.
 """
 
 from __future__ import annotations
 
+import gzip
 import hashlib
 import json
 import os
@@ -23,7 +25,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 from urllib.parse import unquote, urljoin, urlsplit
 
 from . import __version__, read
@@ -32,19 +34,32 @@ from .mesh import Mesh
 
 __all__ = ["Entry", "Source", "cite", "fetch", "load", "sources"]
 
-VERSION = 1
-"""Of the list's form (site_builder.pages.library)."""
+VERSION = 2
+"""Of the index's form (site_builder.pages.indexes)."""
 
 ADDRESS_VARIABLE, CACHE_VARIABLE = "HEXALAB_CATALOGUE", "HEXALAB_CACHE"
-LIST = "library.json"
+INDEX = "index.json"
 PACKAGE = Path(__file__).resolve().parent
-PLACES = (PACKAGE / "catalogue.json", PACKAGE.parents[1] / "build" / "catalogue.json")
-"""The list in the wheel, and in a clone in which it was built."""
+PLACES = (PACKAGE / "catalogue.json.gz", PACKAGE.parents[1] / "build" / "catalogue.json.gz")
+"""The index in the wheel, and in a clone in which it was built; gzipped."""
 
 PATIENCE = 60
 """Seconds without a byte after which fetching is given up."""
 
 SHARE = 2**20
+
+
+class Known(dict[str, Any]):
+    """An object of the index: a dict that can't be changed, since all who ask get the same one."""
+
+    def _refuse(self, *_: Any, **__: Any) -> NoReturn:
+        raise TypeError("what the catalogue knows can't be changed; dict(...) makes a copy")
+
+    __setitem__ = __delitem__ = __ior__ = _refuse
+    clear = pop = popitem = setdefault = update = _refuse
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (dict(self),)
 
 
 @dataclass(frozen=True)
@@ -63,6 +78,15 @@ class Entry:
         None where nobody has told.
     sha256 : str or None
         Of the file, in hexadecimal.
+    picture : str
+        Where there is a picture of it; "" if there is none.
+    method, model : str
+        Family of the method that made it, and the model that it shows; "" where nobody has told.
+    same_as : str
+        Id of the entry that is this mesh in another file format; "" if it is no other's copy.
+    facts : mapping of str to object
+        What was measured of it, as the catalogue's index.json has it: "vertices", "quality" (metric to its
+        statistics), "structure", "findings" and others; empty if nobody has. It can't be changed.
     """
 
     id: str
@@ -71,6 +95,11 @@ class Entry:
     cells: int | None = None
     bytes: int | None = None
     sha256: str | None = None
+    picture: str = ""
+    method: str = ""
+    model: str = ""
+    same_as: str = ""
+    facts: Mapping[str, Any] = field(default_factory=Known, repr=False, compare=False)
 
 
 @dataclass(frozen=True)
@@ -108,7 +137,7 @@ def sources() -> list[Source]:
     Raises
     ------
     HexaLabError
-        There is no list, or it can't be read.
+        There is no index, or it can't be read.
     """
     return list(_listed(os.environ.get(ADDRESS_VARIABLE, "")))
 
@@ -195,13 +224,13 @@ def _entry(mesh: str) -> Entry:
 
 @cache
 def _listed(address: str) -> tuple[Source, ...]:
-    """The list of the package, or of the site at an address."""
+    """What the package's index has, or that of the site at an address."""
     if address:
         root = address if address.endswith("/") else f"{address}/"
-        return _parsed(_bytes_at(root + LIST), root + LIST, root)
+        return _parsed(_bytes_at(root + INDEX), root + INDEX, root)
     for place in PLACES:
         if place.is_file():
-            return _parsed(place.read_bytes(), str(place), "")
+            return _parsed(gzip.decompress(place.read_bytes()), str(place), "")
     raise HexaLabError(
         f"this package has no catalogue: it was not built; or name a site's address in {ADDRESS_VARIABLE}"
     )
@@ -209,26 +238,38 @@ def _listed(address: str) -> tuple[Source, ...]:
 
 def _parsed(data: bytes, place: str, root: str) -> tuple[Source, ...]:
     try:
-        document = json.loads(data)
+        document = json.loads(data, object_hook=Known)
         if document["version"] != VERSION:
-            raise HexaLabError(f"{place}: found a list of version {document['version']}, expected {VERSION}")
-        return tuple(_source_of(row, root or document["address"]) for row in document["sources"])
+            raise HexaLabError(
+                f"{place}: found an index of version {document['version']}, expected {VERSION}"
+            )
+        return tuple(_source_of(row, root or document["url"]) for row in document["sources"])
     except (ValueError, KeyError, TypeError) as error:
         raise HexaLabError(
-            f"{place}: found no list of a catalogue: {type(error).__name__}: {error}"
+            f"{place}: found no index of a catalogue: {type(error).__name__}: {error}"
         ) from None
 
 
 def _source_of(row: dict[str, Any], root: str) -> Source:
-    meshes = (
-        Entry(
-            f"{row['slug']}/{mesh['slug']}", mesh["name"], urljoin(root, mesh["address"]), mesh["cells"],
-            mesh["bytes"], mesh["sha256"],
-        )
-        for mesh in row["meshes"]
-    )  # fmt: skip
-    facts = {name: row[name] for name in ("slug", "title", "year", "venue", "doi", "licence", "citations")}
-    return Source(**facts, authors=tuple(row["authors"]), meshes=tuple(meshes))
+    told = {name: row[name] for name in ("slug", "title", "year", "venue", "licence", "citations")}
+    meshes = tuple(_entry_of(mesh, row["slug"], root) for mesh in row["meshes"])
+    return Source(**told, doi=row["doi"] or "", authors=tuple(row["authors"]), meshes=meshes)
+
+
+def _entry_of(row: dict[str, Any], source: str, root: str) -> Entry:
+    """A mesh; of a catalogue that is nowhere on the web there are addresses of files elsewhere alone."""
+    told = {name: row[name] or "" for name in ("method", "model", "same_as")}
+    return Entry(
+        id=f"{source}/{row['slug']}",
+        name=row["name"],
+        address=urljoin(root, row["url"]),
+        cells=row["cells"],
+        bytes=row["facts"].get("bytes"),
+        sha256=row["sha256"],
+        picture=urljoin(root, row["picture"]) if root and row["picture"] else "",
+        facts=row["facts"],
+        **told,
+    )
 
 
 def _place(entry: Entry) -> Path:

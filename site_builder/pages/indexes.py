@@ -7,13 +7,19 @@ from collections.abc import Set
 from typing import Any, NotRequired, TypedDict
 from xml.sax.saxutils import escape
 
+from ..citing.citations import citation, plain
+from ..citing.exports import bibtex, csl_json
 from ..model.catalogue import Catalogue, MeshEntry, Source
 from ..pictures.portrait import portrait
+from ..tables.families import family_names, method_of, model_of
 from .facets import FACETS, codes
 from .metadata import LICENCES
 
-INDEX_VERSION = 1
-"""Of the form of index.json and search.json: raised when a field changes its meaning or goes."""
+INDEX_VERSION = 2
+"""Of the form of index.json: raised when a field changes its meaning or goes, or the Python package needs another."""
+
+SEARCH_VERSION = 1
+"""Of the form of search.json: raised when a field changes its meaning or goes."""
 
 
 class MeshRow(TypedDict):
@@ -105,41 +111,64 @@ def _row_for_viewer(mesh: MeshEntry, there: Set[str]) -> MeshRow:
     return row
 
 
-def index_json(catalogue: Catalogue) -> str:
-    """The whole catalogue with all that is known of each mesh."""
+def index_json(catalogue: Catalogue, pictures: set[str]) -> str:
+    """The whole catalogue with all that is known of each mesh: what programs read, `hexalab.catalogue` among them.
+
+    Parameters
+    ----------
+    catalogue : Catalogue
+    pictures : set of str
+        Addresses of the pictures that the site has.
+    """
     return dump(
         {
             "version": INDEX_VERSION,
             "name": catalogue.title,
             "description": catalogue.description,
             "url": catalogue.address,
-            "sources": [
-                {
-                    "slug": source.slug,
-                    "page": source.page,
-                    "reference": source.reference,
-                    "licence": source.licence,
-                    "licence_url": LICENCES.get(source.licence),
-                    "pdf": source.pdf or None,
-                    "web": source.web or None,
-                    "description": source.description or None,
-                    "meshes": [_full_row(mesh) for mesh in source.meshes],
-                }
-                for source in catalogue.sources
-            ],
+            "methods": {name: called for name, called in family_names().items() if name},
+            "sources": [_full_source(source, pictures) for source in catalogue.sources],
         }
     )
 
 
-def _full_row(mesh: MeshEntry) -> dict[str, Any]:
+def _full_source(source: Source, pictures: set[str]) -> dict[str, Any]:
+    return {
+        "slug": source.slug,
+        "page": source.page,
+        "title": source.title,
+        "authors": source.authors,
+        "year": source.year,
+        "venue": source.venue,
+        "doi": source.doi or None,
+        "reference": source.reference,
+        "citations": {
+            "text": plain(citation(source.reference, "APA")),
+            "bibtex": bibtex([source.reference]),
+            "csl": csl_json([source.reference]),
+        },
+        "licence": source.licence,
+        "licence_url": LICENCES.get(source.licence),
+        "pdf": source.pdf or None,
+        "web": source.web or None,
+        "description": source.description or None,
+        "meshes": [_full_row(mesh, mesh.picture_address in pictures) for mesh in source.meshes],
+    }
+
+
+def _full_row(mesh: MeshEntry, pictured: bool) -> dict[str, Any]:
     return {
         "slug": mesh.slug,
         "name": mesh.name,
         "description": mesh.description or None,
         "page": mesh.page,
+        "picture": mesh.picture_address if pictured else None,
         "url": mesh.file_address,
         "remote": bool(mesh.remote),
         "format": mesh.format,
+        "method": method_of(mesh) or None,
+        "model": model_of(mesh) or None,
+        "same_as": f"{mesh.source.slug}/{mesh.same_as}" if mesh.same_as else None,
         "cells": mesh.cells,
         "sha256": mesh.sha256,
         "facts": {
@@ -153,7 +182,7 @@ def search_json(catalogue: Catalogue, pictures: set[str]) -> str:
     numbers = {id(source): index for index, source in enumerate(catalogue.sources)}
     return dump(
         {
-            "version": INDEX_VERSION,
+            "version": SEARCH_VERSION,
             "facets": [
                 {"id": facet.id, "options": [option for option, _ in facet.options]} for facet in FACETS
             ],

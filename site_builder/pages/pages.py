@@ -20,6 +20,7 @@ from ..model.methods import METHODS
 from ..model.models import Model
 from ..model.names import on_this_machine
 from ..pictures.collection import Collection
+from ..tables.field import field_of
 from . import interface, metadata, words
 from .assets import assets
 from .bodies import bodies
@@ -31,6 +32,7 @@ from .indexes import INDEX_VERSION
 from .keeping import connections, weight
 from .memory import Memory
 from .model_pages import model_values, models_values
+from .numbers import Numbers, numbers_values
 from .picture_pages import gallery_values, guide_values
 from .structure import figures, tallies
 from .structure_guide import structure_guide_values
@@ -51,6 +53,8 @@ class Pages:
         What gallery and guide show.
     figures : dict of str to (int, int)
         Widths and heights of those of its pictures that the site has, by address.
+    numbers : Numbers
+        Table and plots of all meshes.
     installable : bool
         Whether the site has the viewer, and can be installed as an application.
     memory : Path, optional
@@ -64,6 +68,7 @@ class Pages:
         collection: Collection | None = None,
         figures: dict[str, tuple[int, int]] | None = None,
         *,
+        numbers: Numbers | None = None,
         installable: bool = False,
         memory: Path | None = None,
     ) -> None:
@@ -72,9 +77,12 @@ class Pages:
         self._pictures = pictures
         self._collection = collection or Collection(catalogue)
         self._bodies = bodies(catalogue)
+        self._numbers = numbers or Numbers(field_of(catalogue.meshes))
         self._citations: dict[str, dict[str, Markup]] = {}
         self._environment = environment()
-        self._environment.filters.update(count=words.count, number=words.number, file_size=words.file_size)
+        self._environment.filters.update(
+            count=words.count, number=words.number, file_size=words.file_size, percent=words.whole_percent
+        )
         self._environment.globals.update(
             catalogue=catalogue,
             bodies=self._bodies,
@@ -112,6 +120,7 @@ class Pages:
         yield "guide/structure/", self.structure()
         yield "guide/embedding/", self.embedding()
         yield "embed/", self.embed()
+        yield "numbers/", self.numbers()
         yield "about/", self.about()
         yield "offline/", self.offline()
         yield "offline/missing/", self.missing()
@@ -163,6 +172,10 @@ class Pages:
             description=self._catalogue.description or self._catalogue.title,
             index_version=INDEX_VERSION,
         )
+
+    def numbers(self) -> str:
+        """All meshes at once: plots, figures, and the table of which they are made."""
+        return self._render("numbers", "numbers/", **numbers_values(self._catalogue, self._numbers))
 
     def offline(self) -> str:
         """What the browser keeps, and how to free it."""

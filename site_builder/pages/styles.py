@@ -16,7 +16,8 @@ SHEETS = {
         "catalogue/cards", "catalogue/mark", "catalogue/range", "catalogue/table", "catalogue/sources",
         "catalogue/models",
         "catalogue/mesh", "catalogue/structure", "catalogue/histogram", "catalogue/citation", "catalogue/about",
-        "catalogue/shots", "catalogue/offline", "catalogue/guide", "catalogue/terms", "catalogue/interface",
+        "catalogue/shots", "catalogue/plots", "catalogue/numbers",
+        "catalogue/offline", "catalogue/guide", "catalogue/terms", "catalogue/interface",
         "catalogue/print",
     ),
     "viewer": (

@@ -52,6 +52,13 @@ def percent(part: float) -> str:
     return f"{100 * part:.1f} %" if part >= 0.001 else "under 0.1 %"
 
 
+def whole_percent(part: float | None) -> str:
+    """A part of one as a whole percentage: 98 %; only all is 100 %."""
+    if part is None:
+        return NOT_KNOWN
+    return "100 %" if part == 1 else f"{min(100 * part, 99):.0f} %"
+
+
 def file_size(size: int | None) -> str:
     """Bytes as people read them: 1.4 MB."""
     if size is None:

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import gzip
 from pathlib import Path
 
-from ..pages.library import library_json
+from ..model.names import on_this_machine
+from ..pages.indexes import index_json
 from ..reading.repository import read_repository
 from .archives import packed, unpacked
 from .viewer_folder import write_viewer
 
 NOT_FOR_BROWSERS = (
     r"^hexalab/(cli|hosts|viewer)/",
-    r"^hexalab/catalogue\.(py|json)$",
+    r"^hexalab/catalogue\.(py|json\.gz)$",
     r"\.dist-info/(licenses/|entry_points\.txt$)",
 )
 """Files of the wheel that a browser's Python has no use for, as regular expressions."""
@@ -19,8 +21,8 @@ NOT_FOR_BROWSERS = (
 VIEWER = "build/viewer"
 """Where `core/build_hook.py` looks for the built viewer."""
 
-CATALOGUE = "build/catalogue.json"
-"""Where it looks for the catalogue's list."""
+CATALOGUE = "build/catalogue.json.gz"
+"""Where it looks for the catalogue's index."""
 
 
 def distribution(root: Path, out: Path, kind: str = "wheel") -> Path:
@@ -48,11 +50,23 @@ def distribution(root: Path, out: Path, kind: str = "wheel") -> Path:
     from hatchling.builders.wheel import WheelBuilder
 
     write_viewer(root, root / VIEWER)
-    (root / CATALOGUE).write_bytes(library_json(read_repository(root / "repository")).encode())
+    (root / CATALOGUE).write_bytes(packed_index(root / "repository"))
     out.mkdir(parents=True, exist_ok=True)
     builder = {"wheel": WheelBuilder, "sdist": SdistBuilder}[kind](str(root))
     (file,) = builder.build(directory=str(out), versions=["standard"])
     return Path(file)
+
+
+def packed_index(repository: Path) -> bytes:
+    """The index of the catalogue, gzipped: the same bytes for the same repository.
+
+    A site that nobody but its own machine reaches has no address in it, nor pictures.
+    """
+    catalogue = read_repository(repository)
+    if on_this_machine(catalogue.address):
+        catalogue.address = ""
+    pictures = {mesh.picture_address for mesh in catalogue.meshes if mesh.picture}
+    return gzip.compress(index_json(catalogue, pictures).encode(), mtime=0)
 
 
 def core_wheel(wheel: Path) -> tuple[str, bytes]:

@@ -143,6 +143,12 @@ def test_A4_numpy_is_all_that_comes_along_and_the_library_works(place: Place) ->
     code = "import hexalab.catalogue as c; print(len(c.sources()), c.cite('bukenberger-2022-at-most-hexa/cylinder-g'))"
     told = place.does(place.python, "-c", code).stdout
     assert int(told.split()[0]) >= 30 and "https://doi.org/10.1111/cgf.14393" in told
+    code = (
+        "import hexalab.catalogue as c\n"
+        "known = [mesh.facts for source in c.sources() for mesh in source.meshes]\n"
+        "print(sum('quality' in facts for facts in known))"
+    )
+    assert int(place.does(place.python, "-c", code).stdout) > 600
 
 
 @pytest.mark.parametrize("verb", [verb for verb, row in VERBS.items() if row.module.startswith("hexalab.")])

@@ -5,6 +5,7 @@ import json
 
 import pytest
 
+from hexalab import catalogue
 from hexalab.formats import read_bytes
 from hexalab.packing import unpack
 from site_builder.pages.facets import FACETS
@@ -51,7 +52,7 @@ def test_C8_meshes_elsewhere_have_a_picture_where_there_is_one(demo):
 
 def test_C3_our_index_has_a_version_and_all_facts(site):
     index = load(site, "index.json")
-    assert index["version"] == 1
+    assert index["version"] == catalogue.VERSION == 2
     assert index["url"] == "https://meshes.example.org/hex/"
     mesh = index["sources"][0]["meshes"][0]
     assert mesh["facts"]["quality"]["scaled_jacobian"]["min"] == pytest.approx(1)
@@ -63,6 +64,30 @@ def test_C3_our_index_has_a_version_and_all_facts(site):
     assert (site / mesh["page"] / "index.html").is_file()
     assert index["sources"][1]["reference"]["DOI"] == "10.5555/meshes.2021.7"
     assert "sj_min" not in index["sources"][1]["meshes"][1]["facts"]
+
+
+def test_C3_our_index_has_what_belongs_to_a_mesh_and_citations(site):
+    small, far = load(site, "index.json")["sources"]
+    assert "Núñez, A. M." in far["citations"]["text"] and "@article{far," in far["citations"]["bibtex"]
+    assert json.loads(far["citations"]["csl"])[0]["DOI"] == far["doi"] == "10.5555/meshes.2021.7"
+    assert (far["year"], far["venue"]) == (2021, "Journal of Meshes 12(3), 101–120")
+    for mesh in small["meshes"] + far["meshes"]:
+        assert {"method", "model", "same_as", "picture"} <= mesh.keys()
+    assert small["meshes"][0]["facts"]["groups"] is not None and "features" in small["meshes"][0]["facts"]
+    assert not (site / "library.json").exists(), "one index"
+
+
+def test_C9_the_python_package_reads_our_index(site, monkeypatch):
+    index = (site / "index.json").read_bytes()
+    monkeypatch.setattr(catalogue, "_bytes_at", lambda address: index)
+    monkeypatch.setenv("HEXALAB_CATALOGUE", "https://meshes.example.org/hex")
+    catalogue._listed.cache_clear()
+    small, far = catalogue.sources()
+    assert (far.doi, far.authors[0]) == ("10.5555/meshes.2021.7", "Ana María Núñez")
+    assert small.meshes[0].facts["vertices"] == 12 and far.meshes[1].facts == {}
+    assert small.meshes[0].address == "https://meshes.example.org/hex/meshes/small/pair.mesh"
+    assert catalogue.cite("far/second") == far.citations["text"]
+    catalogue._listed.cache_clear()
 
 
 def test_C3_the_originals_form(site):
