@@ -101,10 +101,10 @@ def test_C3_the_address_of_the_site_can_be_given(demo, rebuild, monkeypatch):
 
 def test_C7_the_summary_has_times_and_sizes(rebuild):
     report = rebuild()
-    assert report.pages == 17 + interface.installed()
+    assert report.pages == 19 + interface.installed()
     assert report.meshes == 5
     assert (
-        f"{17 + interface.installed()} pages, 2 sources, 5 meshes (3 measured, 0 pictures taken)"
+        f"{19 + interface.installed()} pages, 2 sources, 5 meshes (3 measured, 0 pictures taken)"
         in report.summary
     )
     assert "meshes/" in report.summary
