@@ -1,5 +1,6 @@
 import { sizeUpon, takenOf } from "../scene/camera/portrait.js";
 import { inOneLine } from "../state/entry.js";
+import { portraitView } from "../state/opening_view.js";
 
 /** @typedef {import("../state/origin.js").Origin} Origin */
 
@@ -26,17 +27,28 @@ export class Portraits {
     const { picture, preview, name } = entry?.mesh ?? {};
     if (!entry || !picture || preview || renewed) return;
     const aside = facts.get("summary") !== null;
-    if (!aside && (status || layers || store.touched.size)) return; // it will open under another view
-    this.#aside = aside;
     const turn = this.#turn;
+    const wanted = () =>
+      turn === this.#turn && (aside || (facts.get("summary") === null && store.touched.size === 0));
+    if (!wanted() || (!aside && (status || layers))) return; // it will open under another view
+    this.#aside = aside;
     try {
       const image = await imageOf(await ahead.bytes(picture));
       image.alt = `${name}, a picture. ${inOneLine(entry.source, true)}`;
       const portrait = { entry, image, taken: takenOf(pixelsOf(image)), size: null, aside };
-      if (turn === this.#turn) facts.set({ portrait });
+      if (!wanted()) return;
+      facts.set({ portrait });
+      if (!aside) this.#adopt(entry.mesh.view);
     } catch {
       // the mesh itself is on its way
     }
+  }
+
+  /** The panel tells of what is seen: what is changed before the mesh is there goes on from that. @param {import("../state/status.js").PartialStatus} [view] */
+  #adopt(view) {
+    const { store } = this.#app;
+    const { version: _, mesh: __, ...settings } = portraitView(store.defaults, view);
+    store.set(settings, { undo: false });
   }
 
   /** The mesh's own picture is drawn; it is whole when the GPU has its programs. */

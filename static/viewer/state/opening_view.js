@@ -35,11 +35,16 @@ export function ownView(defaults, { direction, up, facing }, portrait = {}) {
     camera: { fit: true, direction, up },
     filters: { planes: { items: [{ enabled: true, normal: facing, offset: 0 }] } },
   };
-  return withWholeBands(merge(merge(defaults, own), portrait));
+  return portraitView(merge(defaults, own), portrait);
 }
 
-/** A band of which the document leaves out an end is open there. @param {Status} status @returns {Status} */
-function withWholeBands(status) {
+/**
+ * What a portrait shows. A band of which it leaves out an end is open there.
+ *
+ * @param {Status} defaults @param {PartialStatus} [portrait] @returns {Status}
+ */
+export function portraitView(defaults, portrait = {}) {
+  const status = merge(defaults, portrait);
   const items = status.filters.quality.items.map(({ minimum, maximum, ...band }) => ({
     ...band,
     minimum: minimum ?? null,

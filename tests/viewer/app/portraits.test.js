@@ -62,6 +62,34 @@ test("C8: the portrait stands in for a mesh that is fetched, until that is drawn
   assert.equal(all.portrait(), null);
 });
 
+test("C8: the settings are the portrait's already: what is changed while it stands goes on from them", async () => {
+  const view = { camera: { direction: [1, 0, 0], up: [0, 0, 1] }, separation: { mode: "rounded" } };
+  const all = waiting({ picture: "duck.webp", view });
+  await all.ask();
+  assert.deepEqual(all.store.status.camera.direction, [1, 0, 0]);
+  assert.equal(all.store.canUndo, false);
+  all.store.set({ filters: { peel: { depth: 1 } } });
+  await all.come();
+  const { camera, filters, separation } = all.store.status;
+  assert.deepEqual([camera.direction, filters.peel.depth, separation.mode], [[1, 0, 0], 1, "rounded"]);
+});
+
+test("C8: going, a portrait moves to where the mesh is, unless the mesh is seen otherwise by then", async () => {
+  for (const fit of [true, false]) {
+    const all = waiting();
+    all.facts.set({ canvas: { width: 900, height: 700 } });
+    await all.ask();
+    const sizes = /** @type {unknown[]} */ ([]);
+    all.facts.on("portrait", (portrait) => sizes.push(portrait && portrait.size));
+    if (!fit) all.store.set({ camera: { fit } });
+    await all.come();
+    assert.equal(sizes.pop(), null);
+    assert.equal(sizes.length, fit ? 1 : 0);
+    for (const { width, height } of /** @type {{ width: number, height: number }[]} */ (sizes))
+      assert.ok(width > 300 && height > 200, `${width} x ${height}`);
+  }
+});
+
 test("C8: a mesh that can't be had leaves its portrait, and the message", async () => {
   const all = waiting();
   await all.ask();

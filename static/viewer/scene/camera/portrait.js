@@ -7,6 +7,9 @@ import { FILLED } from "./fit.js";
 /** Most that a backdrop differs from its own corner, of 255: what compression leaves. */
 const FAINT = 6;
 
+/** Least part of a picture that a body takes: a plate may be seen edge on. */
+const LEAST = 1e-6;
+
 /**
  * What of a picture is not backdrop: the part of its width, and of its height, between the outermost such pixels.
  *
@@ -78,5 +81,6 @@ function spanOf(rig, aspect) {
     const { x, y } = new Vector3(body[3 * k], body[3 * k + 1], body[3 * k + 2]).project(camera);
     return new Vector2(x, y);
   });
-  return new Box2().setFromPoints(places).getSize(new Vector2());
+  const { x, y } = new Box2().setFromPoints(places).getSize(new Vector2());
+  return { x: Math.max(LEAST, x), y: Math.max(LEAST, y) };
 }
