@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import warnings
 from functools import cache
 from pathlib import Path
@@ -74,6 +75,13 @@ def citation(item: Reference, style: str) -> Markup:
     style : str
         A key of `STYLES`.
     """
+    return _formatted(json.dumps(item), style)
+
+
+@cache
+def _formatted(written: str, style: str) -> Markup:
+    """A reference, written as JSON, in a style: formatting one takes as long as filling a page."""
+    item: Reference = json.loads(written)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         bibliography = CitationStylesBibliography(
