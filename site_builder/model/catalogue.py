@@ -282,7 +282,15 @@ class Source:
 
 @dataclass(eq=False)
 class Catalogue:
-    """All sources, what the catalogue says of itself, and the problems found while reading."""
+    """All sources, what the catalogue says of itself, and the problems found while reading.
+
+    Parameters
+    ----------
+    first, last : list of str
+        Slugs of sources that are listed before and after all others, which go by year.
+    hero : list of str
+        Pictures of the gallery's folder that the front page opens with.
+    """
 
     root: Path
     title: str = "HexaLab"
@@ -290,6 +298,8 @@ class Catalogue:
     address: str = ""
     publisher: str = ""
     first: list[str] = field(default_factory=list)
+    last: list[str] = field(default_factory=list)
+    hero: list[str] = field(default_factory=list)
     sources: list[Source] = field(default_factory=list)
     models: list[Model] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)

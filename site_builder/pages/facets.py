@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from ..model.catalogue import MeshEntry
+from ..model.methods import METHODS
 from .words import short_verdict
 
 
@@ -37,6 +38,22 @@ def _origin(mesh: MeshEntry) -> int:
 def _cells(mesh: MeshEntry) -> int:
     cells = mesh.cells
     return 4 if cells is None else _first([cells < 1_000, cells < 10_000, cells < 100_000])
+
+
+def _method(mesh: MeshEntry) -> int:
+    return _METHODS.index(mesh.method)
+
+
+def _domain(mesh: MeshEntry) -> int:
+    return ["", "box", "polycube"].index(mesh.domain)
+
+
+def _poor(mesh: MeshEntry) -> int:
+    found = (mesh.facts.quality or {}).get("scaled_jacobian")
+    if found is None or not mesh.facts.cells:
+        return 4
+    share = found["outside_acceptable"] / mesh.facts.cells
+    return 0 if not share else 1 + _first([share < 0.01, share < 0.1])
 
 
 def _jacobian(mesh: MeshEntry) -> int:
@@ -75,8 +92,28 @@ def _year(mesh: MeshEntry) -> int:
     return _first([year <= 2015, year <= 2018, year <= 2021])
 
 
+_METHODS = [*METHODS, ""]
+
 FACETS = (
     Facet("origin", "Origin", (("own", "our own"), ("published", "published")), _origin),
+    Facet(
+        "method",
+        "Method",
+        (*((id, method.name) for id, method in METHODS.items()), ("unknown", "not said")),
+        _method,
+    ),
+    Facet(
+        "year",
+        "Year",
+        (("2015", "to 2015"), ("2018", "2016–18"), ("2021", "2019–21"), ("now", "since 2022")),
+        _year,
+    ),
+    Facet(
+        "domain",
+        "What it fills",
+        (("body", "the body"), ("box", "a box around it"), ("polycube", "its polycube")),
+        _domain,
+    ),
     Facet(
         "cells",
         "Cells",
@@ -100,6 +137,18 @@ FACETS = (
             ("unknown", "not known"),
         ),
         _jacobian,
+    ),
+    Facet(
+        "poor",
+        "Cells with a Scaled Jacobian below 0.5",
+        (
+            ("none", "none"),
+            ("few", "under 1 %"),
+            ("some", "1 to 10 %"),
+            ("many", "more"),
+            ("unknown", "not known"),
+        ),
+        _poor,
     ),
     Facet(
         "validity",
@@ -151,24 +200,21 @@ FACETS = (
         ),
         _blocks,
     ),
-    Facet(
-        "year",
-        "Year",
-        (("2015", "to 2015"), ("2018", "2016–18"), ("2021", "2019–21"), ("now", "since 2022")),
-        _year,
-    ),
 )
+
+DIGITS = "0123456789abcdefghijklmnopqrstuvwxyz"
+"""How a code is written, of any number of options that fits on a page."""
 
 
 def codes(mesh: MeshEntry) -> str:
-    """A mesh's option in each facet, a digit each."""
-    return "".join(str(facet.choose(mesh)) for facet in FACETS)
+    """A mesh's option in each facet, a digit each, of base 36."""
+    return "".join(DIGITS[facet.choose(mesh)] for facet in FACETS)
 
 
 def counts(meshes: list[MeshEntry]) -> list[list[int]]:
     """Number of meshes by facet and option."""
     table = [[0] * len(facet.options) for facet in FACETS]
     for mesh in meshes:
-        for row, code in zip(table, codes(mesh), strict=True):
-            row[int(code)] += 1
+        for row, facet in zip(table, FACETS, strict=True):
+            row[facet.choose(mesh)] += 1
     return table

@@ -15,6 +15,9 @@ from ..tables.families import family_names, method_of, model_of
 from .facets import FACETS, codes
 from .metadata import LICENCES
 
+PICTURES = {"png": 1, "webp": 2}
+"""What search.json says of a mesh's picture, by its ending; 0 where there is none."""
+
 INDEX_VERSION = 2
 """Of the form of index.json: raised when a field changes its meaning or goes, or the Python package needs another."""
 
@@ -178,8 +181,9 @@ def _full_row(mesh: MeshEntry, pictured: bool) -> dict[str, Any]:
 
 
 def search_json(catalogue: Catalogue, pictures: set[str]) -> str:
-    """The small index that the search in the browser reads."""
+    """The small index that the search in the browser reads; a mesh in another format is found under its first."""
     numbers = {id(source): index for index, source in enumerate(catalogue.sources)}
+    models = {model.id: index for index, model in enumerate(catalogue.models)}
     return dump(
         {
             "version": SEARCH_VERSION,
@@ -198,6 +202,7 @@ def search_json(catalogue: Catalogue, pictures: set[str]) -> str:
                 ]
                 for source in catalogue.sources
             ],
+            "models": [model.title for model in catalogue.models],
             "meshes": [
                 [
                     numbers[id(mesh.source)],
@@ -206,13 +211,16 @@ def search_json(catalogue: Catalogue, pictures: set[str]) -> str:
                     mesh.cells,
                     *(_short(value) for value in (mesh.facts.sj_min, mesh.facts.sj_mean, mesh.facts.sj_max)),
                     mesh.facts.irregular_edges,
-                    1 if mesh.picture_address in pictures else 0,
+                    PICTURES[mesh.picture_address.rsplit(".", 1)[1]]
+                    if mesh.picture_address in pictures
+                    else 0,
                     codes(mesh),
                     mesh.description,
                     mesh.facts.sheets,
                     mesh.facts.blocks,
+                    models.get(mesh.model),
                 ]
-                for mesh in catalogue.meshes
+                for mesh in catalogue.listed
             ],
         }
     )

@@ -26,7 +26,7 @@ from .assets import assets
 from .bodies import bodies
 from .embedding import embedding_values
 from .environment import environment
-from .facets import FACETS, counts
+from .front import front_values
 from .histogram import draw
 from .indexes import INDEX_VERSION
 from .keeping import connections, weight
@@ -36,9 +36,6 @@ from .numbers import Numbers, numbers_values
 from .picture_pages import gallery_values, guide_values
 from .structure import figures, tallies
 from .structure_guide import structure_guide_values
-
-FIRST = 24
-"""Cards that the front page shows before anybody searches."""
 
 
 class Pages:
@@ -144,24 +141,8 @@ class Pages:
 
     def front(self) -> str:
         """The front page, with the first cards and all sources."""
-        meshes = self._catalogue.meshes
-        facets = [
-            {
-                "id": facet.id,
-                "label": facet.label,
-                "options": [(*option, n) for option, n in zip(facet.options, row, strict=True)],
-            }
-            for facet, row in zip(FACETS, counts(meshes), strict=True)
-        ]
-        return self._render(
-            "front",
-            "",
-            heading=self._catalogue.title,
-            description=self._catalogue.description or self._catalogue.title,
-            first_meshes=meshes[:FIRST],
-            facets=facets,
-            json_ld=metadata.catalogue_json_ld(self._catalogue),
-        )
+        values = front_values(self._catalogue, self._collection, self._pictures)
+        return self._render("front", "", **values, json_ld=metadata.catalogue_json_ld(self._catalogue))
 
     def about(self) -> str:
         """What the numbers mean, whose data they are, what there is for programs."""

@@ -12,7 +12,7 @@ SHEETS = {
     "catalogue": (
         "tokens", "base",
         "catalogue/page", "catalogue/text", "catalogue/title", "catalogue/button",
-        "catalogue/search", "catalogue/chips", "catalogue/filters",
+        "catalogue/front", "catalogue/search", "catalogue/chips", "catalogue/filters",
         "catalogue/cards", "catalogue/mark", "catalogue/range", "catalogue/table", "catalogue/sources",
         "catalogue/models",
         "catalogue/mesh", "catalogue/structure", "catalogue/histogram", "catalogue/citation", "catalogue/about",

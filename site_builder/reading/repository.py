@@ -44,9 +44,10 @@ def read_repository(root: Path) -> Catalogue:
         if source:
             catalogue.sources.append(source)
     _check_unique(catalogue)
-    place = {name: number for number, name in enumerate(catalogue.first)}
-    last = len(place)
-    catalogue.sources.sort(key=lambda s: (place.get(s.slug, last), -s.year, s.title.lower()))
+    first = {name: number - len(catalogue.first) for number, name in enumerate(catalogue.first)}
+    last = {name: number + 1 for number, name in enumerate(catalogue.last)}
+    place = first | last
+    catalogue.sources.sort(key=lambda s: (place.get(s.slug, 0), -s.year, s.title.lower()))
     return catalogue
 
 

@@ -23,8 +23,10 @@ import { compare } from "./sorting.js";
  * @property {number | null} irregular number of irregular interior edges
  * @property {number | null} sheets
  * @property {number | null} blocks
- * @property {boolean} picture
- * @property {string} codes its option in each facet, a digit each
+ * @property {string} picture ending of its picture's file, "" if there is none
+ * @property {string} codes its option in each facet, a digit of base 36 each
+ * @property {string} model title of the body that it is a mesh of, "" if none is known
+ * @property {number} validity its option in the facet of that name, -1 where there is none
  * @property {string} text what a word is looked for in
  * @property {string} joined the same without what parts words: "rocker_arm", "rocker arm" and "rockerarm" meet there
  */
@@ -32,8 +34,17 @@ import { compare } from "./sorting.js";
 /**
  * @typedef {object} Index
  * @property {{ id: string, options: string[] }[]} facets
+ * @property {string[]} models titles
  * @property {Row[]} rows
  */
+
+/** Endings of pictures, as search.json numbers them. */
+const PICTURES = ["", "png", "webp"];
+
+/** A row's option in a facet. @param {string} codes @param {number} facet */
+function option(codes, facet) {
+  return Number.parseInt(codes[facet], 36);
+}
 
 /**
  * Unpack search.json.
@@ -47,20 +58,34 @@ export function readIndex(data) {
     const [slug, title, authors, year, venue, doi, short] = row;
     return { slug, title, authors, year, venue, doi, short };
   });
+  /** @type {string[]} */
+  const models = data.models ?? [];
+  const validity = data.facets.findIndex((/** @type {{ id: string }} */ facet) => facet.id === "validity");
   const rows = data.meshes.map((/** @type {any[]} */ row) => {
     const [number, slug, name, cells, low, mean, high, irregular, picture, codes, description = ""] = row;
-    const [sheets = null, blocks = null] = row.slice(11);
+    const [sheets = null, blocks = null, body = null] = row.slice(11);
+    const model = body === null ? "" : models[body];
     const source = sources[number];
-    const words = [name, description, source.title, source.authors, source.year, source.venue, source.doi];
+    const words = [
+      name,
+      model,
+      description,
+      source.title,
+      source.authors,
+      source.year,
+      source.venue,
+      source.doi,
+    ];
     const text = plain(words.join(" "));
     return {
-      source, slug, name, cells, low, mean, high, irregular, sheets, blocks, codes,
-      picture: picture === 1,
+      source, slug, name, cells, low, mean, high, irregular, sheets, blocks, codes, model,
+      picture: PICTURES[picture],
+      validity: validity < 0 ? -1 : option(codes, validity),
       text,
       joined: joined(text),
     }; // prettier-ignore
   });
-  return { facets: data.facets, rows };
+  return { facets: data.facets, models, rows };
 }
 
 /**
@@ -81,6 +106,7 @@ function joined(text) {
  * @typedef {object} Query
  * @property {string} words
  * @property {string} source slug, or "" for all
+ * @property {string} model a part of a body's title, or "" for all
  * @property {string} sort
  * @property {Record<string, string[]>} chosen options by facet; none chosen means all
  */
@@ -143,20 +169,36 @@ function narrowed(found, index, query) {
     return chosen.length ? options.map((option) => chosen.includes(option)) : null;
   });
   const counts = index.facets.map(({ options }) => options.map(() => 0));
+  const ofModel = modelTest(query.model, index.models);
   const rows = [];
   for (const row of found) {
     if (query.source && row.source.slug !== query.source) continue;
+    if (!ofModel(row.model)) continue;
     const missed = wanted.flatMap((options, facet) =>
-      options === null || options[Number(row.codes[facet])] ? [] : [facet],
+      options === null || options[option(row.codes, facet)] ? [] : [facet],
     );
     if (missed.length === 0) {
       rows.push(row);
-      counts.forEach((options, facet) => options[Number(row.codes[facet])]++);
+      counts.forEach((options, facet) => options[option(row.codes, facet)]++);
     } else if (missed.length === 1) {
-      counts[missed[0]][Number(row.codes[missed[0]])]++;
+      counts[missed[0]][option(row.codes, missed[0])]++;
     }
   }
   return { rows: sorted(rows, query.sort), counts };
+}
+
+/**
+ * Whether a body is meant: the one of that title, or, where none has it, each that has it as a part.
+ *
+ * @param {string} typed @param {string[]} titles
+ * @returns {(title: string) => boolean}
+ */
+function modelTest(typed, titles) {
+  const wanted = joined(plain(typed));
+  if (!wanted) return () => true;
+  const spelled = (/** @type {string} */ title) => joined(plain(title));
+  if (titles.some((title) => spelled(title) === wanted)) return (title) => spelled(title) === wanted;
+  return (title) => spelled(title).includes(wanted);
 }
 
 /** @type {Record<string, (row: Row) => string | number | null>} */

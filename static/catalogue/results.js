@@ -19,7 +19,8 @@ export function cards(rows, root) {
     if (row.cells !== null)
       facts.append(element("span", "", row.cells === 1 ? "1 cell" : `${number(row.cells)} cells`));
     if (row.low !== null) facts.append(element("span", "", `min SJ ${decimal(row.low)}`));
-    if (row.codes[3] === "2") facts.append(element("span", "mark mark-invalid", "invalid"));
+    if (VALIDITY[row.validity]?.[0] === "invalid")
+      facts.append(element("span", "mark mark-invalid", "invalid"));
     const card = element("li", "card");
     card.append(link, element("span", "card-source", row.source.short), facts);
     list.append(card);
@@ -52,7 +53,7 @@ export function table(rows, root) {
     name.append(link);
     line.append(name, element("td", "", row.source.short));
     for (const [, text] of NUMBERS) line.append(element("td", "number", text(row)));
-    const [state, word] = VALIDITY[Number(row.codes[3])];
+    const [state, word] = VALIDITY[row.validity];
     const cell = element("td");
     cell.append(element("span", `mark mark-${state}`, word));
     line.append(cell);
@@ -91,10 +92,10 @@ function picture(row, root) {
   const frame = element("span", row.picture ? "card-picture" : "card-picture is-empty");
   if (row.picture) {
     const image = element("img");
-    image.src = `${root}pictures/${row.source.slug}/${row.slug}.png`;
+    image.src = `${root}pictures/${row.source.slug}/${row.slug}.${row.picture}`;
     image.alt = "";
-    image.width = 720;
-    image.height = 480;
+    image.width = 480;
+    image.height = 320;
     image.loading = "lazy";
     frame.append(image);
   } else {

@@ -17,6 +17,7 @@ export function startSearch(form) {
   const results = required("results");
   const found = required("found");
   const more = required("more");
+  const models = required("models");
   const clear = /** @type {HTMLElement} */ (form.querySelector("[type=reset]"));
   /** @type {Promise<Index> | undefined} */
   let loading;
@@ -28,17 +29,28 @@ export function startSearch(form) {
     return readIndex(await answer.json());
   }
 
-  async function show() {
+  /** @returns {Promise<Index | undefined>} */
+  async function loaded() {
     loading ??= load();
-    /** @type {Index} */
-    let index;
     try {
-      index = await loading;
+      return await loading;
     } catch (error) {
       loading = undefined;
       found.textContent = `Search doesn't work now: ${error instanceof Error ? error.message : error}`;
-      return;
+      return undefined;
     }
+  }
+
+  /** The titles of bodies, once somebody is about to type one. */
+  async function offer() {
+    const index = await loaded();
+    if (index && !models.hasChildNodes())
+      models.append(...index.models.map((title) => new Option(title, title)));
+  }
+
+  async function show() {
+    const index = await loaded();
+    if (!index) return;
     const query = readForm(form);
     const { rows, counts, forgiven } = find(index, query);
     const draw = form.view.value === "table" ? table : cards;
@@ -55,6 +67,7 @@ export function startSearch(form) {
     void show();
   }
 
+  form.model.addEventListener("focus", offer, { once: true });
   form.addEventListener("input", asked);
   form.addEventListener("submit", (event) => {
     event.preventDefault();
@@ -83,12 +96,13 @@ function inWords(rows, like) {
 }
 
 /**
- * On small screens the filters are folded; this button opens them.
+ * The filters are folded; this button opens them. They are open where one is chosen already.
  *
  * @param {HTMLFormElement} form
  */
 function toggleFilters(form) {
   const button = form.querySelector(".filters-toggle");
+  button?.setAttribute("aria-expanded", String(form.querySelector(".chip input:checked") !== null));
   button?.addEventListener("click", () => {
     const open = button.getAttribute("aria-expanded") !== "true";
     button.setAttribute("aria-expanded", String(open));
@@ -105,7 +119,13 @@ function readForm(form) {
   for (const chip of form.querySelectorAll(".chip input")) {
     if (chip instanceof HTMLInputElement && chip.checked) (chosen[chip.name] ??= []).push(chip.value);
   }
-  return { words: form.q.value, source: form.source.value, sort: form.sort.value, chosen };
+  return {
+    words: form.q.value,
+    source: form.source.value,
+    model: form.model.value,
+    sort: form.sort.value,
+    chosen,
+  };
 }
 
 /**
@@ -129,6 +149,7 @@ function fillForm(form, address) {
   const asked = new URLSearchParams(address);
   form.q.value = asked.get("q") ?? "";
   form.source.value = asked.get("source") ?? "";
+  form.model.value = asked.get("model") ?? "";
   form.sort.value = asked.get("sort") ?? "";
   form.view.value = asked.get("view") === "table" ? "table" : "cards";
   for (const chip of form.querySelectorAll(".chip input")) {

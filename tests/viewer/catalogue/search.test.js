@@ -9,19 +9,21 @@ const INDEX = readIndex({
   facets: [
     { id: "origin", options: ["own", "published"] },
     { id: "cells", options: ["s", "m", "unknown"] },
+    { id: "validity", options: ["valid", "positive", "invalid"] },
   ],
+  models: ["Bunny rabbit", "Ball", "Ball joint"],
   sources: [
     ["grids", "Grids & more", "Ana Núñez", 2020, "Journal", "10.5555/a", "Núñez 2020"],
     ["balls", "Balls", "J. Doe", 2023, "Journal", "", "Doe 2023"],
   ],
   meshes: [
-    [0, "cube", "Cube", 512, 1, 1, 1, 0, 1, "00", "", 24, 1],
-    [0, "bar", "Bar", 4000, 0.5, 0.9, 1, 12, 0, "01", "A beam to be bent.", 40, 118],
-    [1, "bunny", "Bunny", null, null, null, null, null, 0, "12"],
-    [1, "ball", "Ball 10", 99, -0.2, 0.5, 1, 3, 0, "10"],
+    [0, "cube", "Cube", 512, 1, 1, 1, 0, 1, "000", "", 24, 1],
+    [0, "bar", "Bar", 4000, 0.5, 0.9, 1, 12, 0, "010", "A beam to be bent.", 40, 118],
+    [1, "bunny", "Bunny", null, null, null, null, null, 0, "121", "", null, null, 0],
+    [1, "ball", "Ball 10", 99, -0.2, 0.5, 1, 3, 2, "102", "", null, null, 1],
   ],
 });
-const NOTHING = { words: "", source: "", sort: "", chosen: {} };
+const NOTHING = { words: "", source: "", model: "", sort: "", chosen: {} };
 
 /** @param {object} query */
 const names = (query) => find(INDEX, { ...NOTHING, ...query }).rows.map((row) => row.name);
@@ -38,6 +40,40 @@ test("T6 sheets and blocks are known of what was traced", () => {
       [40, 118],
       [null, null],
       [null, null],
+    ],
+  );
+});
+
+test("C2 meshes of a body are found by its title or a part of it", () => {
+  assert.deepEqual(names({ model: "bunny" }), ["Bunny"]);
+  assert.deepEqual(names({ model: "BALL" }), ["Ball 10"]);
+  assert.deepEqual(names({ model: "ball j" }), [], "the body is known, but none of these is a mesh of it");
+  assert.deepEqual(names({ words: "rabbit" }), ["Bunny"]);
+  assert.deepEqual(names({ model: "cube" }), []);
+});
+
+test("C2 a facet may have more than ten options", () => {
+  const index = readIndex({
+    facets: [{ id: "method", options: [..."abcdefghijkl"] }],
+    sources: [["s", "", "", 2016, "", "", ""]],
+    meshes: ["0", "9", "a", "b"].map((code) => [0, code, code, 1, 1, 1, 1, 0, 0, code]),
+  });
+  const { rows, counts } = find(index, { ...NOTHING, chosen: { method: ["k", "j"] } });
+  assert.deepEqual(
+    rows.map(({ slug }) => slug),
+    ["9", "a"],
+  );
+  assert.deepEqual(counts[0], [1, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1]);
+});
+
+test("C2 a row knows its validity and its picture", () => {
+  assert.deepEqual(
+    INDEX.rows.map(({ validity, picture }) => [validity, picture]),
+    [
+      [0, "png"],
+      [0, ""],
+      [1, ""],
+      [2, "webp"],
     ],
   );
 });
@@ -83,6 +119,7 @@ test("C2 counts say what a further choice would find", () => {
   assert.deepEqual(counts, [
     [2, 2],
     [1, 1, 0],
+    [2, 0, 0],
   ]);
 });
 
