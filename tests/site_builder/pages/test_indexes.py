@@ -130,7 +130,7 @@ def test_C2_the_search_index_is_small_and_complete(site):
     assert names["row"][11:13] == [7, 1], (
         "of five cubes in a row: a sheet through each, two along the row, one block"
     )
-    assert names["second"][11:] == [None, None]
+    assert names["second"][11:13] == [None, None]
 
 
 def test_C2_references_can_be_downloaded_one_by_one_and_together(site):
