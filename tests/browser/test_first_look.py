@@ -103,11 +103,13 @@ def test_F1_the_first_slice_faces_the_eye(viewer: Page, site: str, shelf: Path) 
 
 def test_C4_a_mesh_of_the_catalogue_opens_as_its_portrait_shows_it(viewer: Page) -> None:
     catalogue = viewer.evaluate("() => fetch('../catalogue.json').then((answer) => answer.json())")
-    source = next(
-        source for source in catalogue["sources"] if any("view" in mesh for mesh in source["meshes"])
+    address, mesh = next(
+        (f"{source['slug']}/{mesh['slug']}", mesh)
+        for source in catalogue["sources"]
+        for mesh in source["meshes"]
+        if "view" in mesh and not mesh.get("remote") and mesh["cells"] > 10
     )
-    mesh = next(mesh for mesh in source["meshes"] if "view" in mesh and mesh["cells"] > 10)
-    viewer.evaluate("id => window.hexalab.open(id)", f"{source['slug']}/{mesh['slug']}")
+    viewer.evaluate("id => window.hexalab.open(id)", address)
     status = ui.status(viewer)
     for name, part in mesh["view"].items():
         assert {key: status[name][key] for key in part if key != "planes"} == {
