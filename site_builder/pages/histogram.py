@@ -14,12 +14,9 @@ _BASE = 116
 
 @dataclass(frozen=True)
 class Bar:
-    """One bin: place, size, whether it holds values that aren't positive, and what it says when pointed at."""
+    """One bin: its outline, whether it holds values that are not positive, and what it says when pointed at."""
 
-    x: float
-    y: float
-    width: float
-    height: float
+    outline: str
     bad: bool
     title: str
 
@@ -61,8 +58,8 @@ def draw(histogram: Binned) -> Histogram:
             start = low + index * value_step
             title = f"{start:.3f} to {start + value_step:.3f}: {number:,} cell{'' if number == 1 else 's'}"
             bad = start + value_step <= 1e-9
-            x, y = round(index * step + 0.5, 2), round(_BASE - height, 2)
-            bars.append(Bar(x, y, round(step - 1, 2), round(height, 2), bad, title.replace("-", "−")))
+            outline = f"M{index * step + 0.5:g} {_BASE}v{-height:.4g}h{step - 1:g}V{_BASE}"
+            bars.append(Bar(outline, bad, title.replace("-", "−")))
     ticks = [
         (round((value - low) / (high - low) * WIDTH, 2), f"{value:g}".replace("-", "−"))
         for value in ([-1, -0.5, 0, 0.5, 1] if low < 0 else [0, 0.25, 0.5, 0.75, 1])

@@ -198,7 +198,8 @@ def _download(catalogue: Catalogue, mesh: MeshEntry) -> JsonLd:
     return download
 
 
-def _measured(mesh: MeshEntry) -> list[JsonLd]:
+def _measured(mesh: MeshEntry) -> list[JsonLd | str]:
+    """The figures by which meshes are searched for; metrics whose statistics `index.json` has, by name alone."""
     facts = mesh.facts
     values: list[tuple[str, Any]] = [
         ("number of cells", mesh.cells),
@@ -209,32 +210,19 @@ def _measured(mesh: MeshEntry) -> list[JsonLd]:
         ("number of blocks of the base complex", facts.blocks),
         ("number of invalid cells", facts.invalid_cells),
     ]
-    measured = [_property(name, value=value) for name, value in values if value is not None]
-    if facts.quality:
-        for metric, found in facts.quality.items():
-            if found["min"] is not None:
-                measured.append(
-                    _property(
-                        METRICS[metric].name,
-                        minValue=found["min"],
-                        maxValue=found["max"],
-                        value=found["mean"],
-                    )
-                )
-    elif facts.sj_min is not None:
+    measured: list[JsonLd | str] = [
+        _property(name, value=value) for name, value in values if value is not None
+    ]
+    if facts.sj_min is not None:
         measured.append(
             _property("Scaled Jacobian", minValue=facts.sj_min, maxValue=facts.sj_max, value=facts.sj_mean)
         )
-    return measured
+    others = (metric for metric in facts.quality or () if metric != "scaled_jacobian")
+    return [*measured, *(METRICS[metric].name for metric in others)]
 
 
 def _property(name: str, **values: Any) -> JsonLd:
-    mean = (
-        {"description": f"{name}: smallest, largest and mean value over the cells"}
-        if "minValue" in values
-        else {}
-    )
-    return {"@type": "PropertyValue", "name": name, **mean, **values}
+    return {"@type": "PropertyValue", "name": name, **values}
 
 
 def _inverted(author: Author) -> str:

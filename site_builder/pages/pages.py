@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
@@ -10,12 +9,9 @@ from typing import Any
 
 from markupsafe import Markup
 
-from hexalab.quality import METRICS
-
 from ..citing.citations import STYLES, citation, plain
 from ..citing.exports import bibtex
 from ..model.catalogue import Catalogue, MeshEntry, Source
-from ..model.facts import Statistics
 from ..model.methods import METHODS
 from ..model.models import Model
 from ..model.names import on_this_machine
@@ -24,17 +20,18 @@ from ..tables.field import field_of
 from . import interface, metadata, words
 from .assets import assets
 from .bodies import bodies
+from .compact import compact
 from .embedding import embedding_values
 from .environment import environment
 from .front import front_values
-from .histogram import draw
 from .indexes import INDEX_VERSION
 from .keeping import connections, weight
 from .memory import Memory
+from .mesh_page import mesh_values
 from .model_pages import model_values, models_values
 from .numbers import Numbers, numbers_values
 from .picture_pages import gallery_values, guide_values
-from .structure import figures, tallies
+from .source_page import source_values
 from .structure_guide import structure_guide_values
 
 
@@ -78,7 +75,11 @@ class Pages:
         self._citations: dict[str, dict[str, Markup]] = {}
         self._environment = environment()
         self._environment.filters.update(
-            count=words.count, number=words.number, file_size=words.file_size, percent=words.whole_percent
+            count=words.count,
+            number=words.number,
+            file_size=words.file_size,
+            percent=words.whole_percent,
+            breakable=words.breakable,
         )
         self._environment.globals.update(
             catalogue=catalogue,
@@ -212,7 +213,6 @@ class Pages:
 
     def source(self, source: Source) -> str:
         """A source's page."""
-        pictured = [mesh for mesh in source.meshes if mesh.picture_address in self._pictures]
         return self._render(
             "source",
             source.page,
@@ -220,11 +220,8 @@ class Pages:
             heading=source.title,
             description=metadata.describe_source(source),
             highwire=metadata.highwire(source),
-            show_cards=bool(pictured),
-            connect=connections(source.meshes),
-            some_traced=any(mesh.facts.blocks is not None for mesh in source.meshes),
-            some_unknown=any(mesh.facts.sj_min is None for mesh in source.meshes),
             json_ld=metadata.source_json_ld(self._catalogue, source),
+            **source_values(source, self._pictures),
         )
 
     def mesh(self, mesh: MeshEntry) -> str:
@@ -238,13 +235,9 @@ class Pages:
             description=metadata.describe_mesh(mesh),
             highwire=metadata.highwire(mesh.source),
             connect=connections([mesh]),
-            fact_rows=list(_fact_rows(mesh)),
-            histogram=draw(mesh.facts.histogram) if mesh.facts.histogram else None,
-            quality_rows=list(_quality_rows(mesh)),
-            figures=figures(mesh.facts),
-            tallies=tallies(mesh.facts),
             cite_mesh=self._cite_mesh(mesh),
             json_ld=metadata.mesh_json_ld(self._catalogue, mesh),
+            **mesh_values(mesh),
         )
 
     def citations(self, source: Source) -> dict[str, Markup]:
@@ -264,7 +257,9 @@ class Pages:
         picture = self._picture_of(values)
         if picture:
             values["og_picture"] = picture
-        return self._environment.get_template(f"{template}.html.jinja").render(root=root, page=page, **values)
+        return compact(
+            self._environment.get_template(f"{template}.html.jinja").render(root=root, page=page, **values)
+        )
 
     def _picture_of(self, values: dict[str, Any]) -> str:
         """The picture that stands for a page: its mesh's, or that of its source's first mesh that has one."""
@@ -273,44 +268,3 @@ class Pages:
         )
         found = (mesh.picture_address for mesh in meshes if mesh.picture_address in self._pictures)
         return next(found, "")
-
-
-def _fact_rows(mesh: MeshEntry) -> Iterator[tuple[str, str]]:
-    facts = mesh.facts
-    yield "Vertices", words.count(facts.vertices)
-    rows = [
-        ("Unreferenced vertices", facts.unreferenced_vertices or None),
-        ("Cells that repeat a vertex", facts.cells_repeating_a_vertex or None),
-        ("Boundary faces", facts.boundary_faces),
-        ("Faces of more than two cells", facts.nonmanifold_faces or None),
-        ("Edges", facts.edges),
-        ("Components", facts.components),
-    ]
-    for label, value in rows:
-        if value is not None:
-            yield label, words.count(value)
-    if facts.extent:
-        low, high = facts.extent
-        yield "Extent", " × ".join(words.number(b - a) for a, b in zip(low, high, strict=True))
-
-
-class _QualityRow(Statistics):
-    """A row of the table of metrics: the metric's name and acceptable range in words, and its statistics."""
-
-    name: str
-    acceptable: str
-
-
-def _quality_rows(mesh: MeshEntry) -> Iterator[_QualityRow]:
-    for metric_id, found in (mesh.facts.quality or {}).items():
-        metric = METRICS[metric_id]
-        yield {"name": metric.name, "acceptable": _range(metric.acceptable_range), **found}
-
-
-def _range(ends: tuple[float, float] | None) -> str:
-    if ends is None:
-        return ""
-    low, high = ends
-    if math.isinf(high):
-        return f"from {low:g}"
-    return f"{low:g} to {high:g}".replace("-", "−")

@@ -3,10 +3,16 @@
 from __future__ import annotations
 
 import math
+import re
+
+from markupsafe import Markup, escape
 
 from ..model.facts import Facts
 
 NOT_KNOWN = "–"
+
+_MARKS = re.compile(r"((?<=\w)[_.]+)(?=\w)")
+"""What parts of a file's name stand between; `static/catalogue/results.js` has it too."""
 
 SHORT = {
     "good": "valid",
@@ -68,6 +74,11 @@ def file_size(size: int | None) -> str:
             value = size / (limit / 1e3)
             return f"{value:.0f} {unit}" if unit == "B" or value >= 100 else f"{value:.1f} {unit}"
     return f"{size / 1e9:.1f} GB"
+
+
+def breakable(name: str) -> Markup:
+    """A name that breaks after its marks, if it has to: file names are long words."""
+    return Markup(_MARKS.sub(r"\1<wbr>", str(escape(name))))
 
 
 def plural(number_of: int, noun: str, nouns: str = "") -> str:

@@ -1,6 +1,7 @@
 /** @typedef {import("./index.js").Row} Row */
 
 const NOT_KNOWN = "–";
+const MARKS = /(?<=\w[_.]+)(?=[^\W_])/;
 const count = new Intl.NumberFormat("en-GB");
 
 /**
@@ -14,7 +15,9 @@ export function cards(rows, root) {
   for (const row of rows) {
     const link = element("a", "card-link");
     link.href = pageOf(row, root);
-    link.append(picture(row, root), element("span", "card-name", row.name));
+    const name = element("span", "card-name");
+    name.append(...breakable(row.name));
+    link.append(picture(row, root), name);
     const facts = element("span", "card-facts");
     if (row.cells !== null)
       facts.append(element("span", "", row.cells === 1 ? "1 cell" : `${number(row.cells)} cells`));
@@ -63,6 +66,11 @@ export function table(rows, root) {
   scroll.setAttribute("aria-label", "Table of meshes");
   scroll.append(made);
   return scroll;
+}
+
+/** A name that breaks after its marks, if it has to: file names are long words. @param {string} name */
+function breakable(name) {
+  return name.split(MARKS).flatMap((part, index) => (index ? [element("wbr"), part] : [part]));
 }
 
 /** The table's columns of numbers: title, and what stands in a row. @type {[string, (row: Row) => string][]} */

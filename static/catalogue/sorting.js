@@ -21,19 +21,23 @@ export function enableSorting(page) {
  */
 function sortBy(table, head) {
   const column = [...(head.parentElement?.children ?? [])].indexOf(head);
+  const numeric = head.classList.contains("number");
   const down = head.getAttribute("aria-sort") === "ascending";
   for (const other of table.querySelectorAll("th[aria-sort]")) other.removeAttribute("aria-sort");
   head.setAttribute("aria-sort", down ? "descending" : "ascending");
   const body = table.tBodies[0];
-  const rows = [...body.rows].map((row) => ({ row, key: keyOf(row.cells[column]) }));
+  const rows = [...body.rows].map((row) => ({ row, key: keyOf(row.cells[column], numeric) }));
   rows.sort((a, b) => compare(a.key, b.key, down));
   body.append(...rows.map(({ row }) => row));
 }
 
-/** @param {HTMLTableCellElement} cell */
-function keyOf(cell) {
+/**
+ * @param {HTMLTableCellElement} cell
+ * @param {boolean} numeric whether its column holds numbers
+ */
+function keyOf(cell, numeric) {
   const text = (cell.textContent ?? "").trim();
-  if (!cell.classList.contains("number")) return text === "–" ? null : text;
+  if (!numeric) return text === "–" ? null : text;
   const value = Number.parseFloat(
     text
       .replaceAll(",", "")
