@@ -161,7 +161,7 @@ def build(
     taken, trouble, weight = 0, "", 0
     if runtime:
         tell("the viewer and its Python", 0.35)
-        weight = _add_viewer(output)
+        weight = _add_viewer(output, cache)
     if runtime and pictures:
         shots = [*map(thumbnails.shot, thumbnails.wanted(catalogue)), *collection.figures.values()]
         taken, trouble = take_missing(shots, out, album, lambda what, part: tell(what, 0.4 + 0.5 * part))
@@ -182,7 +182,7 @@ def build(
     listed = [page for page in addresses if not page.startswith(("offline/", "embed/"))]
     _add_indexes(catalogue, output, listed, shown)
     if runtime:
-        _add_manifest(catalogue, output, collection, figures)
+        _add_manifest(catalogue, output, collection, figures, cache)
         _add_service_worker(catalogue, output)
     output.clean()
     prune(cache, since)
@@ -292,7 +292,7 @@ def _add_indexes(catalogue: Catalogue, output: Output, pages: list[str], picture
             output.write(f"{source.page}{source.slug}.{name}", writer([source.reference]))
 
 
-def _add_viewer(output: Output) -> int:
+def _add_viewer(output: Output, cache: Path) -> int:
     """Put the viewer into the site; give the bytes that a first visit brings over the wire."""
     try:
         from .runtime import MOST, SHEET, assemble, first_visit, gzipped, sheet
@@ -314,10 +314,9 @@ def _add_viewer(output: Output) -> int:
         icon="../icon.svg",
     )
     output.write("viewer/index.html", html)
-    files = first_visit(
-        output.root, assets().styles["viewer"], [*report.scripts.values(), *report.imports], report.runtime
-    )
-    weight = gzipped(files)
+    scripts = [*report.scripts.values(), *report.imports]
+    files = first_visit(output.root, assets().styles["viewer"], scripts, report.runtime)
+    weight = gzipped(files, cache)
     if weight > MOST:
         message = f"a first visit weighs {file_size(weight)} gzipped, {file_size(MOST)} are allowed"
         raise BuildError([Problem("error", "site_builder/runtime", 0, "", message)])
@@ -325,7 +324,11 @@ def _add_viewer(output: Output) -> int:
 
 
 def _add_manifest(
-    catalogue: Catalogue, output: Output, collection: Collection, figures: dict[str, tuple[int, int]]
+    catalogue: Catalogue,
+    output: Output,
+    collection: Collection,
+    figures: dict[str, tuple[int, int]],
+    cache: Path,
 ) -> None:
     """What makes the site an application that can be installed."""
     from .pages.manifest import APPLE_ICON, ICONS, PAPER, manifest
@@ -333,9 +336,9 @@ def _add_manifest(
 
     drawing = (STATIC / "icon.svg").read_text("utf-8")
     for address, (side, purpose) in ICONS.items():
-        output.write(address, icon(drawing, side, PAPER if purpose == "maskable" else ""))
+        output.write(address, icon(drawing, side, PAPER if purpose == "maskable" else "", cache))
     address, side = APPLE_ICON
-    output.write(address, icon(drawing, side, PAPER))
+    output.write(address, icon(drawing, side, PAPER, cache))
     output.write("manifest.webmanifest", manifest(catalogue, collection.screens, figures))
 
 

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
 MOST_BYTES = 300_000_000
 """What may stay of what a build has not used; one of the whole repository uses half of that."""
 
-FOLDERS = ("made", "facts", "preview", "pictures", "pages", "plots", "tables")
+FOLDERS = ("made", "facts", "preview", "pictures", "pages", "plots", "tables", "built")
 """Below the cache's folder, what is remembered by content."""
 
 
@@ -19,6 +21,33 @@ def is_kept(file: Path) -> bool:
     except FileNotFoundError:
         return False
     return file.is_file()
+
+
+def remembered(cache: Path | None, name: str, made_of: Iterable[bytes], make: Callable[[], bytes]) -> bytes:
+    """What was made before of the same, or is made now.
+
+    Parameters
+    ----------
+    cache : Path or None
+        Without it nothing is remembered.
+    name : str
+        What it is: the kept file's name begins with it.
+    made_of : iterable of bytes
+        All that it depends on.
+    make : callable
+    """
+    if cache is None:
+        return make()
+    digest = hashlib.sha256()
+    for part in made_of:
+        digest.update(len(part).to_bytes(8, "little") + part)
+    file = cache / "built" / f"{name}-{digest.hexdigest()[:32]}"
+    if is_kept(file):
+        return file.read_bytes()
+    data = make()
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_bytes(data)
+    return data
 
 
 def prune(cache: Path, since: float, most: int = MOST_BYTES) -> int:

@@ -51,7 +51,7 @@ def assemble(out: Path, cache: Path | None = None) -> RuntimeReport:
         If an interpreter file isn't the published one, or a tool fails.
     """
     cache = cache or ROOT / "build" / "cache"
-    wheel = core_wheel(distribution(ROOT, cache / "distribution"))
+    wheel = core_wheel(distribution(ROOT, cache / "distribution", cache=cache))
     modules = ROOT / "node_modules"
     pins = ROOT / "requirements-pyodide.txt"
     made_by = [*Path(__file__).parent.glob("*.*"), modules / "pyodide" / "package.json", pins]

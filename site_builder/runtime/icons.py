@@ -6,6 +6,8 @@ import re
 import subprocess
 from pathlib import Path
 
+from ..kept import remembered
+
 SCRIPT = Path(__file__).with_name("icons.mjs")
 
 SAFE = 0.7
@@ -13,7 +15,7 @@ SAFE = 0.7
 (https://www.w3.org/TR/appmanifest/#icon-masks); this drawing lies in a circle of 0.92 of its own side."""
 
 
-def icon(svg: str, side: int, background: str = "") -> bytes:
+def icon(svg: str, side: int, background: str = "", cache: Path | None = None) -> bytes:
     """A PNG of the icon.
 
     Parameters
@@ -24,6 +26,8 @@ def icon(svg: str, side: int, background: str = "") -> bytes:
         Pixels.
     background : str
         Colour of the ground up to the edges, the drawing within what no mask cuts off; "" for the drawing alone.
+    cache : Path, optional
+        Folder of what is remembered between builds.
 
     Raises
     ------
@@ -32,6 +36,11 @@ def icon(svg: str, side: int, background: str = "") -> bytes:
     """
     if background:
         svg = _padded(svg, background)
+    made_of = (svg.encode(), str(side).encode(), SCRIPT.read_bytes())
+    return remembered(cache, "icon", made_of, lambda: _drawn(svg, side))
+
+
+def _drawn(svg: str, side: int) -> bytes:
     command = ["node", str(SCRIPT), str(side)]
     done = subprocess.run(command, input=svg.encode(), capture_output=True)
     if done.returncode:

@@ -6,13 +6,20 @@ import gzip
 from collections.abc import Iterable
 from pathlib import Path
 
+from ..kept import remembered
+
 MOST = 8_000_000
 """Bytes that a first visit may weigh; the build fails above."""
 
 
-def gzipped(files: Iterable[Path]) -> int:
+def gzipped(files: Iterable[Path], cache: Path | None = None) -> int:
     """Bytes of these files together, each gzipped at level 6, or as it is where that is smaller."""
-    return sum(min(len(data), len(gzip.compress(data, 6))) for data in map(Path.read_bytes, files))
+    contents = [file.read_bytes() for file in files]
+    return int(remembered(cache, "weight", contents, lambda: str(sum(map(_gzipped, contents))).encode()))
+
+
+def _gzipped(data: bytes) -> int:
+    return min(len(data), len(gzip.compress(data, 6)))
 
 
 def first_visit(site: Path, style: str, scripts: Iterable[str], runtime: str) -> list[Path]:

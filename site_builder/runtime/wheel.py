@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import gzip
+from collections.abc import Iterator
 from pathlib import Path
 
+from ..kept import remembered
 from ..model.names import on_this_machine
+from ..model.published import FACTS_FILE
 from ..pages.indexes import index_json
+from ..pages.memory import program
 from ..reading.repository import read_repository
 from .archives import packed, unpacked
 from .viewer_folder import write_viewer
@@ -25,7 +29,7 @@ CATALOGUE = "build/catalogue.json.gz"
 """Where it looks for the catalogue's index."""
 
 
-def distribution(root: Path, out: Path, kind: str = "wheel") -> Path:
+def distribution(root: Path, out: Path, kind: str = "wheel", cache: Path | None = None) -> Path:
     """Build the distribution, viewer and catalogue in it.
 
     Parameters
@@ -35,6 +39,8 @@ def distribution(root: Path, out: Path, kind: str = "wheel") -> Path:
     out : Path
         Folder for the file, made if need be.
     kind : "wheel" or "sdist"
+    cache : Path, optional
+        Folder of what is remembered between builds.
 
     Returns
     -------
@@ -50,7 +56,9 @@ def distribution(root: Path, out: Path, kind: str = "wheel") -> Path:
     from hatchling.builders.wheel import WheelBuilder
 
     write_viewer(root, root / VIEWER)
-    (root / CATALOGUE).write_bytes(packed_index(root / "repository"))
+    repository = root / "repository"
+    index = remembered(cache, "index", _texts(repository), lambda: packed_index(repository))
+    (root / CATALOGUE).write_bytes(index)
     out.mkdir(parents=True, exist_ok=True)
     builder = {"wheel": WheelBuilder, "sdist": SdistBuilder}[kind](str(root))
     (file,) = builder.build(directory=str(out), versions=["standard"])
@@ -67,6 +75,15 @@ def packed_index(repository: Path) -> bytes:
         catalogue.address = ""
     pictures = {mesh.picture_address for mesh in catalogue.meshes if mesh.picture}
     return gzip.compress(index_json(catalogue, pictures).encode(), mtime=0)
+
+
+def _texts(repository: Path) -> Iterator[bytes]:
+    """All that the index is made of: the builder, what sources say of themselves, and which files there are."""
+    yield program().encode()
+    for file in sorted(repository.rglob("*")):
+        yield file.relative_to(repository).as_posix().encode()
+        if file.suffix == ".yaml" or file.name == FACTS_FILE:
+            yield file.read_bytes()
 
 
 def core_wheel(wheel: Path) -> tuple[str, bytes]:
