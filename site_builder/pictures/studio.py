@@ -84,7 +84,7 @@ class Studio(Viewer):
         """
         name = shot.mesh.id
         status = merge({name: part for name, part in DEFAULTS.items() if name != "mesh"}, shot.status)
-        rejections = self.show_named(name, status=status)["rejections"]
+        rejections = self.show_named(name, status=status, settle=bool(shot.part))["rejections"]
         if rejections:
             raise RenderError(f"the status of a picture of {name} is wrong: {rejections}")
         if shot.beside:

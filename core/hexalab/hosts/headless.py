@@ -103,6 +103,7 @@ class Viewer(ABC):
         *,
         beside: str = "",
         over: dict[str, Any] | None = None,
+        settle: bool = True,
     ) -> Shown:
         """Open a mesh in the viewer and wait until its light has converged.
 
@@ -118,6 +119,8 @@ class Viewer(ABC):
             What the page knows by that the mesh is compared with.
         over : dict, optional
             More settings, laid over these.
+        settle : bool
+            Whether to wait for the light on the page; a picture that is taken completes its own.
 
         Raises
         ------
@@ -125,7 +128,7 @@ class Viewer(ABC):
             The mesh, or what it is compared with, can't be read, or the browser gave up.
         """
         statuses = [one for one in (status, over) if one]
-        asked = {"offered": offered, "beside": beside, "name": name, "statuses": statuses}
+        asked = {"offered": offered, "beside": beside, "name": name, "statuses": statuses, "settle": settle}
         answer = self.answer(SHOW, asked, name)
         return Shown(rejections=answer["rejections"], summary=answer["summary"], apart=answer["apart"])
 

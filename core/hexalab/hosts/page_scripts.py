@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-SHOW = """async ({ offered, beside, name, statuses }) => {
+SHOW = """async ({ offered, beside, name, statuses, settle }) => {
   const { hexalab } = window;
   try {
     await hexalab.reset(); // of the settings of the picture before nothing stays
@@ -11,7 +11,7 @@ SHOW = """async ({ offered, beside, name, statuses }) => {
     await hexalab.identified();
     const rejections = [];
     for (const status of statuses) rejections.push(...(await hexalab.setStatus(status)));
-    await hexalab.settled();
+    if (settle) await hexalab.settled();
     const apart = Boolean(hexalab.comparison()?.second) && hexalab.getStatus().figure.meshes === "apart";
     return { rejections, summary: hexalab.summary(), apart };
   } catch (error) {
