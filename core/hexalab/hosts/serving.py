@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import os
+import sys
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
@@ -15,12 +16,15 @@ TYPES = {
     ".wasm": "application/wasm",
     ".svg": "image/svg+xml",
     ".png": "image/png",
+    ".webp": "image/webp",
     ".css": "text/css",
     ".html": "text/html; charset=utf-8",
     ".webmanifest": "application/manifest+json",
     ".whl": "application/octet-stream",
     ".gz": "application/gzip",
     ".txt": "text/plain; charset=utf-8",
+    ".csv": "text/csv; charset=utf-8",
+    ".xml": "application/xml",
     ".bib": "text/plain; charset=utf-8",
     ".ris": "application/x-research-info-systems",
     ".map": "application/json",
@@ -62,6 +66,11 @@ class SiteServer(ThreadingHTTPServer):
 
     def __init__(self, directory: Path, port: int = 0) -> None:
         super().__init__(("127.0.0.1", port), functools.partial(SiteHandler, directory=str(directory)))
+
+    def handle_error(self, request: Any, client_address: Any) -> None:
+        """A page that leaves while it is answered is no error of ours."""
+        if not isinstance(sys.exc_info()[1], OSError):
+            super().handle_error(request, client_address)
 
     @property
     def address(self) -> str:

@@ -1,5 +1,7 @@
 """The local server: right types, fresh files, this machine only."""
 
+import socket
+import struct
 import sys
 import threading
 import urllib.error
@@ -27,6 +29,8 @@ def served(tmp_path):
         "g.mesh",
         "h.css",
         "i.webmanifest",
+        "j.webp",
+        "k.csv",
     ):
         (site / name).write_text(name)
     (tmp_path / "secret").write_text("secret")
@@ -54,6 +58,8 @@ def get(server, path, **headers):
         ("g.mesh", "application/octet-stream"),
         ("h.css", "text/css"),
         ("i.webmanifest", "application/manifest+json"),
+        ("j.webp", "image/webp"),
+        ("k.csv", "text/csv; charset=utf-8"),
     ],
 )
 def test_O1_types_are_right_on_every_machine(served, name, kind):
@@ -84,3 +90,25 @@ def test_O1_only_this_machine_is_answered(served):
 def test_O1_a_folder_without_a_site_is_named(tmp_path):
     with pytest.raises(FileNotFoundError, match="build it first"):
         serve(tmp_path, 0)
+
+
+def test_O1_a_page_that_leaves_is_no_error_to_print(served, capfd):
+    place = served.server_address
+    for request in (b"", b"GET / HTTP/1.1\r\n", b"GET / HTTP/1.1\r\nHost: localhost\r\n\r\n"):
+        with socket.create_connection(place) as left:
+            left.setsockopt(
+                socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0)
+            )  # a reset, no goodbye
+            left.sendall(request)
+    with get(served, "") as answer:
+        assert answer.status == 200
+    try:
+        raise ConnectionResetError
+    except ConnectionResetError:
+        served.handle_error(None, place)
+    assert capfd.readouterr().err == ""
+    try:
+        raise ValueError("a fault of ours")
+    except ValueError:
+        served.handle_error(None, place)
+    assert "a fault of ours" in capfd.readouterr().err
