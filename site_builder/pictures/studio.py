@@ -64,6 +64,7 @@ class Studio(Viewer):
     def __init__(self, site: Path) -> None:
         super().__init__()
         self._site = site
+        self._standing = ""
 
     def address(self, started: ExitStack) -> str:
         """Serve the site on this machine."""
@@ -84,7 +85,10 @@ class Studio(Viewer):
         """
         name = shot.mesh.id
         status = merge({name: part for name, part in DEFAULTS.items() if name != "mesh"}, shot.status)
-        rejections = self.show_named(name, status=status, settle=bool(shot.part))["rejections"]
+        standing, self._standing = self._standing == name, ""
+        shown = self.show_named(name, status=status, settle=bool(shot.part), open=not standing)
+        self._standing = name
+        rejections = shown["rejections"]
         if rejections:
             raise RenderError(f"the status of a picture of {name} is wrong: {rejections}")
         if shot.beside:
@@ -149,7 +153,7 @@ def take_missing(shots: Sequence[Shot], site: Path, album: Album, tell: Progress
         One line that says why some are missing still; "" if none is.
     """
     missing = {shot.key: shot for shot in shots if shot.key and not album.picture(shot)}
-    wanted = sorted(missing.values(), key=lambda shot: shot.mesh.cells or 0)
+    wanted = sorted(missing.values(), key=lambda shot: (shot.mesh.cells or 0, shot.mesh.id))
     failed: list[str] = []
     taken = 0
     if not wanted:

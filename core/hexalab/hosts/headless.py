@@ -104,6 +104,7 @@ class Viewer(ABC):
         beside: str = "",
         over: dict[str, Any] | None = None,
         settle: bool = True,
+        open: bool = True,
     ) -> Shown:
         """Open a mesh in the viewer and wait until its light has converged.
 
@@ -121,6 +122,8 @@ class Viewer(ABC):
             More settings, laid over these.
         settle : bool
             Whether to wait for the light on the page; a picture that is taken completes its own.
+        open : bool
+            Whether to open the mesh; one that stands there already keeps nothing of its settings.
 
         Raises
         ------
@@ -128,7 +131,14 @@ class Viewer(ABC):
             The mesh, or what it is compared with, can't be read, or the browser gave up.
         """
         statuses = [one for one in (status, over) if one]
-        asked = {"offered": offered, "beside": beside, "name": name, "statuses": statuses, "settle": settle}
+        asked = {
+            "offered": offered,
+            "beside": beside,
+            "name": name,
+            "statuses": statuses,
+            "settle": settle,
+            "open": open,
+        }
         answer = self.answer(SHOW, asked, name)
         return Shown(rejections=answer["rejections"], summary=answer["summary"], apart=answer["apart"])
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-SHOW = """async ({ offered, beside, name, statuses, settle }) => {
+SHOW = """async ({ offered, beside, name, statuses, settle, open }) => {
   const { hexalab } = window;
   try {
     await hexalab.reset(); // of the settings of the picture before nothing stays
-    await (offered ? hexalab.openOffered(offered) : hexalab.open(name));
+    if (open) await (offered ? hexalab.openOffered(offered) : hexalab.open(name));
     if (beside) await hexalab.compareOffered(beside); // then settings may name what comes out of that
     await hexalab.identified();
     const rejections = [];
