@@ -75,7 +75,7 @@ def test_C6_a_contribution_is_refused_mended_accepted_and_shown(contribution, de
     assert "The result for model number 2." in page
     assert "They were given to the catalogue to be looked at." in page
     assert "holds no copy" not in page
-    assert '"@type": "Dataset"' in page
+    assert '"@type":"Dataset"' in page
     assert "doe-2025-hexes-everyone" in (out / "index.html").read_text("utf-8")
     rows = json.loads((out / "search.json").read_text())
     contributed = [
