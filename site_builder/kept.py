@@ -23,6 +23,21 @@ def is_kept(file: Path) -> bool:
     return file.is_file()
 
 
+def keep(file: Path, data: bytes) -> None:
+    """Write a file that is remembered: as a whole or not at all, whatever interrupts the build."""
+    file.parent.mkdir(parents=True, exist_ok=True)
+    half = file.with_name(f"{file.name}.{os.getpid()}.half")
+    half.write_bytes(data)
+    half.replace(file)
+
+
+def remember(file: Path, make: Callable[[], bytes]) -> Path:
+    """A file that is remembered; what is in it is made if it isn't there."""
+    if not is_kept(file):
+        keep(file, make())
+    return file
+
+
 def remembered(cache: Path | None, name: str, made_of: Iterable[bytes], make: Callable[[], bytes]) -> bytes:
     """What was made before of the same, or is made now.
 
@@ -41,13 +56,7 @@ def remembered(cache: Path | None, name: str, made_of: Iterable[bytes], make: Ca
     digest = hashlib.sha256()
     for part in made_of:
         digest.update(len(part).to_bytes(8, "little") + part)
-    file = cache / "built" / f"{name}-{digest.hexdigest()[:32]}"
-    if is_kept(file):
-        return file.read_bytes()
-    data = make()
-    file.parent.mkdir(parents=True, exist_ok=True)
-    file.write_bytes(data)
-    return data
+    return remember(cache / "built" / f"{name}-{digest.hexdigest()[:32]}", make).read_bytes()
 
 
 def prune(cache: Path, since: float, most: int = MOST_BYTES) -> int:

@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from ..kept import is_kept
+from ..kept import remember
 from ..model.catalogue import MeshEntry
 
 
@@ -37,11 +37,7 @@ def make(mesh: MeshEntry, root: Path, cache: Path) -> Path:
     """
     script = mesh.source.folder / "make.py"
     kept = cache / "made" / _fingerprint(script, root) / mesh.path
-    if not is_kept(kept):
-        data = _run(script, _files(script, root, mesh))
-        kept.parent.mkdir(parents=True, exist_ok=True)
-        kept.write_bytes(data)
-    return kept
+    return remember(kept, lambda: _run(script, _files(script, root, mesh)))
 
 
 def _files(script: Path, root: Path, mesh: MeshEntry) -> Callable[[], bytes]:

@@ -21,7 +21,7 @@ from hexalab.status.views import View
 from hexalab.structure import Structure, facts_of
 from hexalab.summary import summarise
 
-from ..kept import is_kept
+from ..kept import is_kept, keep, remember
 from ..model.facts import Binned, Facts, Looked, Validity
 
 BINS = 60
@@ -55,8 +55,7 @@ class Measurer:
         if is_kept(kept):
             return Facts.from_dict(json.loads(kept.read_text("utf-8")))
         facts = measure(data, file.name)
-        kept.parent.mkdir(parents=True, exist_ok=True)
-        kept.write_text(json.dumps(facts.to_dict(), allow_nan=False), "utf-8")
+        keep(kept, json.dumps(facts.to_dict(), allow_nan=False).encode())
         self.measured += 1
         return facts
 
@@ -64,15 +63,16 @@ class Measurer:
         """What the viewer draws of a mesh before Python has started, under a partial status."""
         shown = hashlib.sha256(json.dumps(status, sort_keys=True).encode()).hexdigest()[:8]
         kept = self._kept(f"{str(facts.sha256)[:32]}-{shown}", "preview")
-        if not is_kept(kept):
-            session = Session()
-            session.open(file.name, file.read_bytes())
-            kept.parent.mkdir(parents=True, exist_ok=True)
-            kept.write_bytes(session.preview(status))
-        return kept.read_bytes()
+        return remember(kept, lambda: _preview(file, status)).read_bytes()
 
     def _kept(self, key: str, what: str) -> Path:
         return self._cache / what.split(".")[0] / f"{key}-{self._version}.{what}"
+
+
+def _preview(file: Path, status: dict[str, Any]) -> bytes:
+    session = Session()
+    session.open(file.name, file.read_bytes())
+    return session.preview(status)
 
 
 OWN = frozenset(("file", "features"))

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import hexalab
 
-from ..kept import is_kept
+from ..kept import remember
 from ..model.catalogue import Catalogue, Source
 from ..model.published import FACTS_FILE
 from .assets import assets
@@ -67,14 +67,8 @@ class Memory:
         if not self._folder:
             yield from make()
             return
-        file = self._folder / f"{key}.json"
-        if is_kept(file):
-            yield from map(tuple, json.loads(file.read_bytes()))
-            return
-        made = list(make())
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(json.dumps(made), "utf-8")
-        yield from made
+        file = remember(self._folder / f"{key}.json", lambda: json.dumps(list(make())).encode())
+        yield from map(tuple, json.loads(file.read_bytes()))
 
 
 def hash_of(*texts: str) -> str:

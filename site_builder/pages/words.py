@@ -11,7 +11,7 @@ from ..model.facts import Facts
 
 NOT_KNOWN = "–"
 
-_MARKS = re.compile(r"((?<=\w)[_.]+)(?=\w)")
+_MARKS = re.compile(r"((?<=\w)[_.]+)(?=[^\W_])")
 """What parts of a file's name stand between; `static/catalogue/results.js` has it too."""
 
 SHORT = {

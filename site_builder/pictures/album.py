@@ -5,7 +5,7 @@ from __future__ import annotations
 import struct
 from pathlib import Path
 
-from ..kept import is_kept
+from ..kept import is_kept, keep
 from .shot import Shot
 
 
@@ -30,8 +30,7 @@ class Album:
         """Store the picture of a shot."""
         if not shot.key:
             raise ValueError(f"{shot.mesh.id} has not been measured: its content isn't known")
-        self._folder.mkdir(parents=True, exist_ok=True)
-        (self._folder / f"{shot.key}.png").write_bytes(png)
+        keep(self._folder / f"{shot.key}.png", png)
 
 
 def png_size(file: Path) -> tuple[int, int]:

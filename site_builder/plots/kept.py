@@ -11,7 +11,7 @@ from importlib.metadata import version
 from importlib.util import find_spec
 from pathlib import Path
 
-from ..kept import is_kept
+from ..kept import remember
 from ..tables.field import Field
 from .points import Chosen, points_of
 from .svg import page_svg
@@ -72,14 +72,15 @@ def drawn(field: Field, cache: Path, root: str) -> list[Drawn]:
 
 def _svg(plot: Plot, name: str, chosen: Chosen, field: Field, cache: Path, root: str) -> str:
     kept = cache / "plots" / f"{plot.id}-{_key(plot, name, chosen, field, root)}.svg"
-    if not is_kept(kept):
-        from .drawing import draw
+    return remember(kept, lambda: _draw(plot, name, chosen, field, root)).read_text("utf-8")
 
-        text = f"{plot.x.label}, from left to right; {plot.y.label}, from bottom to top. {chosen.notes[0]}"
-        image = draw(plot, chosen.points, field)
-        kept.parent.mkdir(parents=True, exist_ok=True)
-        kept.write_text(page_svg(image, name, plot.title, text, chosen.points, root), "utf-8")
-    return kept.read_text("utf-8")
+
+def _draw(plot: Plot, name: str, chosen: Chosen, field: Field, root: str) -> bytes:
+    from .drawing import draw
+
+    text = f"{plot.x.label}, from left to right; {plot.y.label}, from bottom to top. {chosen.notes[0]}"
+    image = draw(plot, chosen.points, field)
+    return page_svg(image, name, plot.title, text, chosen.points, root).encode()
 
 
 def _key(plot: Plot, name: str, chosen: Chosen, field: Field, root: str) -> str:

@@ -10,7 +10,7 @@ from importlib.metadata import version
 from importlib.util import find_spec
 from pathlib import Path
 
-from ..kept import is_kept
+from ..kept import remember
 from ..model.catalogue import MeshEntry
 from .columns import COLUMNS
 from .values import Row, Value
@@ -55,10 +55,7 @@ def files_of(table: Table, cache: Path) -> dict[str, bytes]:
         return {CSV: text}
     made_by = [version("pyarrow").encode(), *(file.read_bytes() for file in sorted(HERE.glob("*.py")))]
     kept = cache / "tables" / f"{hashlib.sha256(b''.join([text, *made_by])).hexdigest()[:32]}.parquet"
-    if not is_kept(kept):
-        kept.parent.mkdir(parents=True, exist_ok=True)
-        kept.write_bytes(as_parquet(table))
-    return {CSV: text, PARQUET: kept.read_bytes()}
+    return {CSV: text, PARQUET: remember(kept, lambda: as_parquet(table)).read_bytes()}
 
 
 def as_csv(table: Table) -> bytes:
