@@ -7,7 +7,7 @@ from typing import Any
 
 from ..model.domains import DOMAINS
 from .bodies import Body
-from .model_table import CHOICES, COLUMNS, latex, method_name, rows
+from .model_table import CHOICES, COLUMNS, latex, method_name, ranked, rows
 from .words import plural
 
 GROUPS = (
@@ -39,6 +39,7 @@ def model_values(body: Body, pictures: set[str]) -> dict[str, Any]:
         "choices": CHOICES,
         "domains": DOMAINS,
         "method": method_name,
+        "ranked": ranked,
         "latex": latex(body),
     }
 

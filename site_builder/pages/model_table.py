@@ -93,11 +93,17 @@ class Cell:
 
 def rows(meshes: Sequence[MeshEntry], *, compared: bool = True) -> list[tuple[MeshEntry, list[Cell]]]:
     """Each mesh with its numbers; where they may be compared, the best of each column are marked."""
-    best = [_best(column, meshes) if compared else None for column in COLUMNS]
+    rivals = [mesh for mesh in meshes if ranked(mesh)] if compared else []
+    best = [_best(column, rivals) for column in COLUMNS]
     return [
         (mesh, [_cell(column, mesh, top) for column, top in zip(COLUMNS, best, strict=True)])
         for mesh in meshes
     ]
+
+
+def ranked(mesh: MeshEntry) -> bool:
+    """Whether a mesh may be the best in something: one that can't be computed with is not, however regular."""
+    return short_verdict(mesh.facts)[0] != "invalid"
 
 
 def _best(column: Column, meshes: Sequence[MeshEntry]) -> float | None:
@@ -111,7 +117,7 @@ def _best(column: Column, meshes: Sequence[MeshEntry]) -> float | None:
 def _cell(column: Column, mesh: MeshEntry, best: float | None) -> Cell:
     value = column.value(mesh)
     text = NOT_KNOWN if value is None else column.write(value)
-    return Cell(text, value is not None and value == best, column.place)
+    return Cell(text, value is not None and value == best and ranked(mesh), column.place)
 
 
 def method_name(mesh: MeshEntry) -> str:

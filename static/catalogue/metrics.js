@@ -61,11 +61,12 @@ function show(table, option, rows) {
       const text = byMesh.get(mesh)?.[`${option.value}.${statistic}`] ?? "";
       return text === "" ? null : Number(text);
     });
-    const known = values.filter((value) => value !== null);
-    const best = new Set(known).size > 1 ? (high ? Math.max(...known) : Math.min(...known)) : null;
+    const ranked = cells.map((cell) => cell.closest("tr")?.hasAttribute("data-ranked") ?? false);
+    const rivals = values.filter((_, place) => ranked[place]).filter((value) => value !== null);
+    const best = new Set(rivals).size > 1 ? (high ? Math.max(...rivals) : Math.min(...rivals)) : null;
     cells.forEach((cell, place) => {
       cell.textContent = decimal(values[place]);
-      cell.classList.toggle("is-best", best !== null && values[place] === best);
+      cell.classList.toggle("is-best", best !== null && values[place] === best && ranked[place]);
     });
   }
 }

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from benchmarks.page import SITE
 from hexalab import Mesh, cli, write
 from hexalab.hosts.offers import FileOffer, other_file
 from hexalab.hosts.rendering import Renderer, Rendering
@@ -73,6 +74,22 @@ def test_B3_nothing_of_a_picture_stays_for_the_next(cube: Path) -> None:
 
     with ThreadPoolExecutor(1) as thread:
         first, third = thread.submit(pictures).result()
+    assert first == third
+
+
+def test_R3_what_was_drawn_before_leaves_nothing_in_the_light() -> None:
+    mesh = FileOffer(SITE / "meshes/shapes/bracket.mesh", "bracket.mesh")
+    light = {"lighting": {"mode": "screen_space_ao"}}
+    cut = {"filters": {"planes": {"items": [{"enabled": True, "normal": [1, 0.3, 0.2], "offset": 0.5}]}}}
+    turned = {"camera": {"direction": [0.3, -1, 0.2], "up": [0, 0, 1]}, "background": "#000000"}
+
+    def pictures() -> list[bytes]:
+        with Renderer() as renderer:
+            size = {"width": 720, "height": 480}
+            return [renderer.render(mesh, light | more, **size).data for more in (cut, turned, cut)]
+
+    with ThreadPoolExecutor(1) as thread:
+        first, _, third = thread.submit(pictures).result()
     assert first == third
 
 

@@ -5,9 +5,11 @@ from __future__ import annotations
 SHOW = """async ({ offered, beside, name, statuses, settle, open }) => {
   const { hexalab } = window;
   try {
+    if (!settle) hexalab.rest();
     await hexalab.reset(); // of the settings of the picture before nothing stays
     if (open) await (offered ? hexalab.openOffered(offered) : hexalab.open(name));
     if (beside) await hexalab.compareOffered(beside); // then settings may name what comes out of that
+    if (beside && !settle) hexalab.rest();
     await hexalab.identified();
     const rejections = [];
     for (const status of statuses) rejections.push(...(await hexalab.setStatus(status)));
@@ -42,6 +44,7 @@ PICTURE = f"""async ({{ format, size, which = "both" }}) => {{
 
 PORTRAY = f"""async ({{ offered, how }}) => {{
   try {{
+    window.hexalab.rest();
     const {{ measured, row, made }} = await window.hexalab.portray(offered, how);
     const line = Object.fromEntries(Object.entries(row).map(([name, value]) => [name, String(value)]));
     return {{ measured, line, made: made.map(({{ name, bytes }}) => [name, ({BASE64})(bytes)]) }};

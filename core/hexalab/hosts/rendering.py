@@ -228,9 +228,9 @@ class Renderer(Viewer):
         beside: AnyOffer | None = None,
         over: dict[str, Any] | None = None,
     ) -> Iterator[Shown]:
-        """Hold a mesh open in the viewer, and what it is compared with, light converged; errors as for `show_named`."""
+        """Hold a mesh open in the viewer, and what it is compared with; errors as for `show_named`."""
         with self._on_easels(mesh, beside) as offered:
-            yield self.show_named(mesh.name, MESH, status, beside=offered, over=over)
+            yield self.show_named(mesh.name, MESH, status, beside=offered, over=over, settle=False)
 
     @contextmanager
     def _on_easels(self, mesh: Offer, beside: AnyOffer | None) -> Iterator[str]:

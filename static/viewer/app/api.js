@@ -110,6 +110,11 @@ export class HexaLab {
     await Promise.all(this.#app.comparing.sides.map(({ opening }) => opening.identified));
   }
 
+  /** Draw nothing on the page until `settled` is called: for programs that take pictures, which are drawn apart. */
+  rest() {
+    for (const { scene } of this.#app.comparing.sides) scene.rest();
+  }
+
   /** Resolves when the lighting has converged. @returns {Promise<void>} */
   async settled() {
     for (const { drawing, scene } of this.#app.comparing.sides) {

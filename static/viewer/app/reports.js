@@ -48,15 +48,12 @@ export class Reports {
 
   /** The pictures that the core asks for, one after the other; all settings are then what they were. @returns {Promise<Taken[]>} */
   async pictures() {
-    const { client, store, figures, scene } = this.#app;
+    const { client, store, figures } = this.#app;
     const poses = await client.call("report_poses", [store.status.unit]);
     const taken = await posed(
       this.#app,
       poses.map(({ status }) => status),
-      async () => {
-        await scene.settled();
-        return figures.file("png", null, "first");
-      },
+      () => figures.file("png", null, "first"), // which completes its own light
     );
     return poses.map(({ title, alt }, k) => ({ title, alt, picture: taken[k] }));
   }

@@ -23,6 +23,9 @@ import { BLUR, GEOMETRY_FRAGMENT, GEOMETRY_VERTEX, OCCLUSION, WHOLE_SCREEN } fro
 /** Radius in which things darken each other, in mean edge lengths. */
 const RADIUS = 5;
 
+/** The normal, as a colour, where nothing is drawn: towards the eye, whatever was drawn before. */
+const FACING = [0.5, 0.5, 1, 0];
+
 /**
  * Openness to light estimated from what is on the screen: depth and normals of the surface, a ring of samples about each
  * pixel, and a blur that stops at edges. It covers the time until the true term is there.
@@ -108,6 +111,7 @@ export class ScreenSpaceAO {
     const gl = /** @type {WebGL2RenderingContext} */ (renderer.getContext());
     renderer.setRenderTarget(normals);
     renderer.state.buffers.depth.setMask(true);
+    gl.clearBufferfv(gl.COLOR, 0, FACING);
     gl.clear(gl.DEPTH_BUFFER_BIT);
     renderer.render(this.#geometryScene, camera);
     for (const material of [this.#occlusion, this.#blur]) {

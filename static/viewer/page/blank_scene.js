@@ -34,6 +34,7 @@ export class BlankScene {
   showPlane() {}
   invalidate() {}
   flush() {}
+  rest() {}
   dispose() {}
 
   /** @param {import("../state/status.js").Status["camera"]} camera */

@@ -301,8 +301,14 @@ export class Scene {
     return this.#view.halfHeight(aspect);
   }
 
+  /** Draws nothing on the canvas from now on, until somebody waits for it: pictures for files are drawn apart. */
+  rest() {
+    this.#loop.resting = true;
+  }
+
   /** @returns {Promise<void>} when the picture is drawn and will not change by itself */
   settled() {
+    this.#loop.resting = false;
     void this.prepare();
     this.#loop.invalidate();
     return new Promise((resolve) => this.#waiting.push(resolve));

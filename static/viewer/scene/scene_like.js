@@ -65,6 +65,7 @@
  * @property {(filled?: number) => Partial<import("./types.js").CameraStatus> | null} cameraOnShown that sees what is shown whole, from
  *   the present direction; null where nothing is
  * @property {(aspect: number) => number} halfHeight of what a picture of a shape sees, at the target's distance, in diagonals
+ * @property {() => void} rest nothing is drawn on the canvas until somebody waits for it
  * @property {() => Promise<void>} settled when the picture is drawn and will not change by itself
  * @property {(options?: PictureOptions) => Promise<Blob>} screenshot
  * @property {() => DrawnCounts} drawn

@@ -1,6 +1,7 @@
 """Pages of bodies that several sources mesh: the table, what is best in it, and the same for programs and papers."""
 
 import csv
+import dataclasses
 
 import pytest
 
@@ -103,6 +104,20 @@ def test_C2_the_best_of_a_column_is_marked_by_its_direction(body):
     )
     assert not any(best for _, best in column(found, "Cells")), "fewer cells are neither better nor worse"
     assert not any(cell.best for _, cells in rows(body.filling, compared=False) for cell in cells)
+
+
+def test_C2_an_invalid_mesh_is_best_in_nothing(body):
+    first, second = body.filling
+    first.facts, second.facts = facts(0.25), facts(-0.5)
+    second.facts.interior_edge_valence = {3: 4, 4: 2}
+    second.facts.validity = {"valid": 9, "invalid": 1, "undecided": 0}
+    assert [best for _, best in column(rows(body.filling), "Irregular")] == [False, False], (
+        "a single mesh that counts has no rival"
+    )
+    third = dataclasses.replace(first, facts=facts(0.2))
+    third.facts.interior_edge_valence = {3: 6, 4: 2}
+    found = column(rows([first, second, third]), "Irregular")
+    assert found == [("8", False), ("4", False), ("6", True)]
 
 
 def test_C2_the_share_of_bad_cells_is_read_where_bins_end(body):

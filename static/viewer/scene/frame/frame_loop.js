@@ -9,6 +9,7 @@ export class FrameLoop {
   #request = 0;
   #stale = false;
   #stopped = false;
+  #resting = false;
 
   /**
    * @param {() => void} draw
@@ -32,26 +33,35 @@ export class FrameLoop {
 
   /** Asks for a turn of the step, with or without a picture after it. */
   wake() {
-    if (this.#request === 0 && !this.#stopped) {
+    if (this.#request === 0 && !this.#stopped && !this.#resting) {
       this.#request = requestAnimationFrame((now) => this.#turn(now));
     }
   }
 
   /** Draws what is asked for without waiting for the screen. */
   flush() {
-    if (this.#stopped) return;
-    cancelAnimationFrame(this.#request);
-    this.#request = 0;
+    if (this.#stopped || this.#resting) return;
+    this.#cancel();
     this.#turn(performance.now());
   }
 
   /** @param {boolean} stopped no picture can be drawn (context lost) */
   set stopped(stopped) {
     this.#stopped = stopped;
-    if (stopped) {
-      cancelAnimationFrame(this.#request);
-      this.#request = 0;
-    } else this.invalidate();
+    if (stopped) this.#cancel();
+    else this.invalidate();
+  }
+
+  /** @param {boolean} resting no picture is wanted: what is asked for waits */
+  set resting(resting) {
+    this.#resting = resting;
+    if (resting) this.#cancel();
+    else if (this.#stale) this.wake();
+  }
+
+  #cancel() {
+    cancelAnimationFrame(this.#request);
+    this.#request = 0;
   }
 
   /** @param {number} now */
