@@ -39,7 +39,7 @@ wheel: .venv/.ready node_modules/.ready
 	$(BIN)/python -m site_builder.cli.wheel dist
 
 test-core: .venv/.ready
-	$(BIN)/pytest tests/core
+	$(BIN)/pytest -n 2 tests/core
 
 test-firefox: node_modules/.ready
 	$(SCREEN) node --test tests/firefox/*.test.js
