@@ -160,7 +160,7 @@ def test_V3_values_beyond_the_range_and_those_that_are_none_have_their_colours(
 def guarded(chromium: Browser, site: str, shelf: Path) -> Iterator[Page]:
     """The viewer with the mesh of the pictures."""
     (shelf / guards.MESH.name).write_bytes(guards.MESH.read_bytes())
-    with one_viewer(chromium, site) as page:
+    with one_viewer(chromium, site, asked="?directions=1024") as page:
         page.evaluate("url => window.hexalab.open(url)", f"{site}/bench/{guards.MESH.name}")
         yield page
 

@@ -14,15 +14,17 @@ import hexalab
 
 
 @contextmanager
-def one_viewer(chromium: Browser, site: str, script: str = "", **context: Any) -> Iterator[Page]:
-    """The viewer with Python ready, for several tests; at the end the console must be clean."""
+def one_viewer(
+    chromium: Browser, site: str, script: str = "", *, asked: str = "", **context: Any
+) -> Iterator[Page]:
+    """The viewer with Python ready, asked by its address, for several tests; at the end the console must be clean."""
     opened = chromium.new_context(viewport={"width": 1280, "height": 800}, reduced_motion="reduce", **context)
     page = opened.new_page()
     errors: list[str] = []
     page.on("console", lambda message: errors.append(message.text) if message.type == "error" else None)
     page.on("pageerror", lambda error: errors.append(str(error)))
     page.add_init_script(script)
-    page.goto(f"{site}/viewer/")
+    page.goto(f"{site}/viewer/{asked}")
     page.evaluate("() => window.hexalab.ready")
     set_status(page, {"lighting": {"mode": "direct"}})  # gathered light takes most of a processor's time
     yield page
