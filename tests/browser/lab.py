@@ -15,7 +15,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Browser, BrowserContext, Page
 
 from .ui import until
 
@@ -52,15 +52,16 @@ class Lab:
 
     def __init__(self, folder: Path, address: str, token: str) -> None:
         self.folder, self.address, self._token = folder, address, token
+        self._context: BrowserContext | None = None
 
     @contextmanager
-    def opened(self, chromium: Browser, name: str, *cells: str, **context: Any) -> Iterator[Page]:
-        """A page with a notebook of these cells, all of them run."""
+    def opened(self, chromium: Browser, name: str, *cells: str) -> Iterator[Page]:
+        """A page with a notebook of these cells, all of them run; pages share a cache, which holds JupyterLab's scripts."""
         (self.folder / name).write_text(json.dumps(notebook(*cells)))
-        made = chromium.new_context(
-            **{"viewport": {"width": 1280, "height": 2400}, "color_scheme": "null"} | context
+        self._context = self._context or chromium.new_context(
+            viewport={"width": 1280, "height": 2400}, color_scheme="null"
         )
-        page = made.new_page()
+        page = self._context.new_page()
         page.goto(f"{self.address}lab/tree/{name}?token={self._token}&reset")
         until(lambda: page.evaluate("() => window.jupyterapp !== undefined"), 60)
         until(lambda: page.evaluate(READY), 60)
@@ -68,7 +69,12 @@ class Lab:
         try:
             yield page
         finally:
-            made.close()
+            page.close()
+
+    def close(self) -> None:
+        """Close what the pages shared."""
+        if self._context:
+            self._context.close()
 
     def saved(self, page: Page, name: str) -> dict[str, Any]:
         """The notebook as it is saved."""
@@ -103,7 +109,9 @@ def jupyterlab(folder: Path) -> Iterator[Lab]:
         (file,) = (folder / "runtime").glob("jpserver-*.json")
         address = until(lambda: file.read_text() and json.loads(file.read_text())["url"], 20)
         until(lambda: answers(f"{address}api/status?token={token}"), 20)
-        yield Lab(folder / "notebooks", address, token)
+        running = Lab(folder / "notebooks", address, token)
+        yield running
+        running.close()
     finally:
         end(process)
 

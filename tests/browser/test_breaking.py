@@ -156,7 +156,7 @@ def test_O5_what_was_spoilt_on_the_disk_is_fetched_anew(
 
 
 def test_P7_thirty_meshes_take_no_more_memory_than_two(viewer: Page, site: str, shelf: Path) -> None:
-    (shelf / "thirty.mesh").write_bytes(write_medit.write(grid(20, 20, 20, noise=0.1)))
+    (shelf / "thirty.mesh").write_bytes(write_medit.write(grid(12, 12, 12, noise=0.1)))
     ui.set_status(viewer, {"lighting": {"mode": "direct"}})
     sizes = thirty(viewer, f"{site}/bench/thirty.mesh")
     assert sizes[1] > 10e6

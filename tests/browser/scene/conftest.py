@@ -28,9 +28,11 @@ class Stage:
         page.on("console", lambda message: self.messages.append(message.text))
         page.on("pageerror", lambda error: self.messages.append(str(error)))
 
-    def start(self, width: int = 400, height: int = 300, ratio: float = 1) -> None:
-        options = [width, height, ratio, {**DEFAULTS["camera"], "fit": False}]
-        self.page.evaluate("([w, h, r, camera]) => start(w, h, r, camera)", options)
+    def start(
+        self, width: int = 400, height: int = 300, ratio: float = 1, directions: int | None = None
+    ) -> None:
+        options = [width, height, ratio, {**DEFAULTS["camera"], "fit": False}, directions]
+        self.page.evaluate("([w, h, r, camera, d]) => start(w, h, r, camera, d ?? undefined)", options)
 
     def call(self, method: str, *arguments: Any) -> Any:
         from .grids import pack

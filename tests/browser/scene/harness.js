@@ -27,15 +27,16 @@ Object.assign(window, {
    * @param {number} height
    * @param {number} pixelRatio
    * @param {import("../../../static/viewer/scene/types.js").CameraStatus} camera
+   * @param {number} [directions] from which light is gathered
    */
-  start: (width, height, pixelRatio, camera) => {
+  start: (width, height, pixelRatio, camera, directions) => {
     scene?.dispose();
     document.querySelector("canvas")?.remove();
     const canvas = document.createElement("canvas");
     canvas.style.width = `${width}px`;
     canvas.style.height = `${height}px`;
     document.body.append(canvas);
-    scene = new Scene(canvas, camera, (renderer, layer) => new Lighting(renderer, layer));
+    scene = new Scene(canvas, camera, (renderer, layer) => new Lighting(renderer, layer, directions));
     scene.resize(width, height, pixelRatio);
     Object.assign(window, { scene });
   },

@@ -130,6 +130,7 @@ def slab(shape: tuple[int, int, int]) -> Mesh:
 def test_V5_the_sums_are_the_same_on_every_run_and_for_every_batch(stage: Any, kind: str) -> None:
     # Long and thin bodies: along them a pixel of the depth map is far smaller than their diagonal suggests.
     shapes = {"bar": (16, 1, 1), "plate": (9, 9, 1)}
+    stage.start(directions=144)  # at which lots of 1, 3, 16 and 7 do not end
     body, _, mode = kind.partition(" ")
     surface = (
         surface_of(slab(shapes[body]), mode)
