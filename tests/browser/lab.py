@@ -56,7 +56,7 @@ class Lab:
 
     @contextmanager
     def opened(self, chromium: Browser, name: str, *cells: str) -> Iterator[Page]:
-        """A page with a notebook of these cells, all of them run; pages share a cache, which holds JupyterLab's scripts."""
+        """A page with a notebook of these cells, all run; the pages share a cache of JupyterLab's scripts."""
         (self.folder / name).write_text(json.dumps(notebook(*cells)))
         self._context = self._context or chromium.new_context(
             viewport={"width": 1280, "height": 2400}, color_scheme="null"

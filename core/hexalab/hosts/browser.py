@@ -13,7 +13,9 @@ from playwright.sync_api import Browser, BrowserContext, Playwright, ViewportSiz
 ARGUMENTS = (
     "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic",
     "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync",
+    "--disable-gpu-compositing",
 )  # fmt: skip
+"""WebGL is drawn by a software GPU; the page around it is not: each of its frames would take twenty milliseconds."""
 NAMES = ("chromium", "chromium-browser", "google-chrome")
 
 
