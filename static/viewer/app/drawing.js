@@ -133,8 +133,8 @@ export class Drawing {
       if (record) this.#records = { ...this.#records, [kind]: record };
     if (answer.surface) scene.setSurface(answer.surface, same);
     if (answer.silhouette) scene.setSilhouette(answer.silhouette);
-    if (answer.see_through) scene.setSeeThrough(answer.see_through);
-    if (answer.irregular) scene.setIrregular(answer.irregular);
+    if (answer.see_through) scene.setOver("seeThrough", answer.see_through);
+    if (answer.irregular) scene.setOver("irregular", answer.irregular);
     if (answer.arrows) scene.setOver("arrows", answer.arrows);
     if (answer.marks) scene.setOver("marks", answer.marks);
     if (answer.curves) scene.setOver("curves", answer.curves);

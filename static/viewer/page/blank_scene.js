@@ -23,8 +23,6 @@ export class BlankScene {
   setBeside() {}
   setSurface() {}
   setSilhouette() {}
-  setSeeThrough() {}
-  setIrregular() {}
   setOver() {}
   setCellColours() {}
   setStatus() {}

@@ -21,8 +21,8 @@ import { View } from "./frame/view.js";
  * @typedef {import("./scene_like.js").SceneLike} SceneLike
  */
 
-/** What is drawn over the surface. */
-const OVER = /** @type {const} */ (["arrows", "marks", "curves", "reference"]);
+/** What is drawn over the surface, and where it was taken away. */
+const OVER = /** @type {const} */ (["seeThrough", "irregular", "arrows", "marks", "curves", "reference"]);
 
 /**
  * The drawing of one mesh on one canvas: takes the core's buffers and the status document, draws when something changed.
@@ -156,8 +156,6 @@ export class Scene {
     this.#layers.outward = false;
     this.setSurface(null);
     this.setSilhouette(null);
-    this.setSeeThrough(null);
-    this.setIrregular(null);
     for (const layer of OVER) this.setOver(layer, null);
     this.setCellColours(null);
     this.mark(null);
@@ -194,20 +192,6 @@ export class Scene {
   /** @param {import("../geometry/records.js").Silhouette | null} silhouette */
   setSilhouette(silhouette) {
     this.#layers.setSilhouette(silhouette);
-    this.#enclose();
-    this.#loop.invalidate();
-  }
-
-  /** @param {import("../geometry/records.js").Surface | null} surface of hidden cells, four by four */
-  setSeeThrough(surface) {
-    this.#layers.seeThrough.set(surface);
-    this.#enclose();
-    this.#loop.invalidate();
-  }
-
-  /** @param {import("../geometry/records.js").Irregular | null} irregular */
-  setIrregular(irregular) {
-    this.#layers.irregular.set(irregular);
     this.#enclose();
     this.#loop.invalidate();
   }

@@ -1,6 +1,7 @@
 /**
  * @typedef {{ arrows: import("../geometry/records.js").Arrows, marks: import("../geometry/records.js").Marks,
- *   curves: import("../geometry/records.js").Curves, reference: import("../geometry/records.js").Silhouette }} Over
+ *   curves: import("../geometry/records.js").Curves, reference: import("../geometry/records.js").Silhouette,
+ *   seeThrough: import("../geometry/records.js").Surface, irregular: import("../geometry/records.js").Irregular }} Over
  *
  * What the viewer knows of a scene, so that one which draws nothing can stand in for it.
  *
@@ -49,8 +50,6 @@
  *   each: the camera is fitted to both
  * @property {(surface: import("../geometry/records.js").Surface | null, same?: boolean) => void} setSurface
  * @property {(silhouette: import("../geometry/records.js").Silhouette | null) => void} setSilhouette
- * @property {(surface: import("../geometry/records.js").Surface | null) => void} setSeeThrough of hidden cells
- * @property {(irregular: import("../geometry/records.js").Irregular | null) => void} setIrregular
  * @property {<Name extends keyof Over>(layer: Name, record: Over[Name] | null) => void} setOver what is drawn over the surface
  * @property {(positions: Float32Array | null, highFirst?: boolean) => void} setCellColours in the colour map, one per cell; whether its first
  *   colour is that of high values

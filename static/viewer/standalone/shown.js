@@ -28,7 +28,7 @@ export class Shown {
     scene.setMesh(sheet.mesh);
     scene.setStatus(sheet.status);
     this.slice(0);
-    scene.setIrregular(sheet.irregular && expandedIrregular(sheet.irregular));
+    scene.setOver("irregular", sheet.irregular && expandedIrregular(sheet.irregular));
     this.colour(0);
   }
 
@@ -40,7 +40,7 @@ export class Shown {
     this.#light.openness = shot.openness;
     this.#scene.setSurface(surface);
     this.#scene.setSilhouette(shot.silhouette && expanded(shot.silhouette));
-    this.#scene.setSeeThrough(shot.see_through && expanded(shot.see_through));
+    this.#scene.setOver("seeThrough", shot.see_through && expanded(shot.see_through));
     this.#scene.setOver("arrows", shot.arrows);
     this.#scene.setOver("marks", shot.marks);
     this.#scene.setOver("curves", shot.curves);

@@ -74,7 +74,7 @@ def test_V3_the_model_is_seen_through_hidden_cells_before_it_alone(stage: Any) -
     show(stage, shown, **plain)
     pictures = []
     for cells, opacity in ((None, 0.5), (~shown, 0.5), (~shown, 1), (~shown, 0)):
-        stage.call("setSeeThrough", None if cells is None else grid_surface(cells))
+        stage.call("setOver", "seeThrough", None if cells is None else grid_surface(cells))
         stage.call("setStatus", {"see_through": {"opacity": opacity}})
         stage.settle()
         pictures.append(stage.picture().astype(int))
@@ -88,7 +88,7 @@ def test_V3_the_model_is_seen_through_hidden_cells_before_it_alone(stage: Any) -
     assert at(behind, place, scale(300)) == [0x20, 0x40, 0x80], (
         "the model's own side covers what lies behind it"
     )
-    stage.call("setSeeThrough", None)
+    stage.call("setOver", "seeThrough", None)
     stage.settle()
     middle = slice(110, 190), slice(160, 240)
     assert np.array_equal(stage.picture()[middle], behind[middle])
@@ -101,7 +101,7 @@ def test_V4_seven_steps_show_what_they_say(stage: Any) -> None:
     free = [[-0.5, 0.35, 0], [0.5, 0.35, 0]]
     behind = [[-0.2, 0.1, -0.4], [0.2, 0.1, -0.4]]
     rim = [[-0.5, -0.35, 0], [0.5, -0.35, 0]]
-    stage.call("setIrregular", structure([free, behind, rim], [3, 5, 6], [0, 0, 1]))
+    stage.call("setOver", "irregular", structure([free, behind, rim], [3, 5, 6], [0, 0, 1]))
     seen = []
     for mode in range(7):
         stage.call("setStatus", {"irregular": {"mode": mode, "boundary": False}})
@@ -122,7 +122,7 @@ def test_V4_seven_steps_show_what_they_say(stage: Any) -> None:
 def test_V4_valences_differ_in_colour(stage: Any) -> None:
     show(stage, np.ones((1, 1, 1), bool), camera={**FRONT, "projection": "orthographic"}, silhouette=0)
     lines = [[[-0.3, 0.36 - 0.02 * k, 0.4], [0.3, 0.36 - 0.02 * k, 0.4]] for k in range(4)]
-    stage.call("setIrregular", structure(lines, [2, 3, 5, 7], [0, 0, 0, 0]))
+    stage.call("setOver", "irregular", structure(lines, [2, 3, 5, 7], [0, 0, 0, 0]))
     stage.call("setStatus", {"irregular": {"mode": 1}})
     stage.settle()
     column = stage.picture()[:, 200].astype(int)
@@ -222,7 +222,7 @@ def test_S5_a_transparent_picture_over_any_colour_is_the_picture_on_that_colour(
     lines = {"line_opacity": 0.4, "line_width": 3}
     show(stage, shown, camera=view, separation=lines, silhouette=1, background="#5a9a5a")
     stage.call("setSilhouette", {k: grid_surface(~shown)[k] for k in ("positions", "normals")})
-    stage.call("setIrregular", structure([[[-0.4, 0.2, 0.2], [0.4, -0.2, 0.2]]], [3], [0]))
+    stage.call("setOver", "irregular", structure([[[-0.4, 0.2, 0.2], [0.4, -0.2, 0.2]]], [3], [0]))
     stage.call("setStatus", {"irregular": {"mode": 2}})
     clear = screenshot(stage, width=300, height=300, transparent=True).astype(float)
     solid = screenshot(stage, width=300, height=300).astype(float)
@@ -239,7 +239,7 @@ def test_V4_a_wire_that_ends_on_the_boundary_does_not_dot_it(stage: Any) -> None
         half = 0.5 / np.sqrt(3)
         wires = [[[x, y, half], [x, y, -half]] for x in (-0.2, 0, 0.2) for y in (-0.2, 0, 0.2)]
         record = structure(wires, [3] * 9, [0] * 9)
-        stage.call("setIrregular", {**record, "ends_on_boundary": np.full(9, ends, np.uint8)})
+        stage.call("setOver", "irregular", {**record, "ends_on_boundary": np.full(9, ends, np.uint8)})
         stage.call("setStatus", {"irregular": {"mode": 1}})
         stage.settle()
         picture = stage.picture().astype(int)

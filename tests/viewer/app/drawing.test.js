@@ -37,8 +37,6 @@ function parts() {
       heard[name] = listener;
     },
     setSilhouette: note("silhouette"),
-    setSeeThrough: note("see_through"),
-    setIrregular: note("irregular"),
     setOver: (/** @type {string} */ layer, /** @type {unknown} */ record) => note(layer)(record),
     setCellColours: note("colours"),
     showPlane: note("plane"),
